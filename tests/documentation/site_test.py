@@ -43,6 +43,8 @@ MENTIONED = {
     "uninstall": "docs/start/install/",
     "trajectory": "docs/explanation/glossary/",
     "MPC": "docs/explanation/glossary/",
+    "PREEMPT_RT": "docs/explanation/glossary/",
+    "GIL": "docs/explanation/glossary/",
     "Windows": "docs/start/install/",
 }
 
