@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <regex>
+#include <string>
+#include <vector>
 
 #include "check/fixture.hpp"
 #include "cli/run_program.hpp"
@@ -25,6 +27,16 @@ class FirmwarePackage : public testing::Test {
     return test::run_program(
         folder_.path(),
         "generate " + kPuma + "scene.yaml --package firmware " + options + " --output firmware");
+  }
+
+  /// How far the joints are from their goals at the end, 1e-6 rad.
+  static std::vector<int> read_distances(const std::string& log) {
+    const std::regex away("1e-6 away from its goal: (-?[0-9]+)\n");
+    std::vector<int> distances;
+    for (std::sregex_iterator at(log.begin(), log.end(), away), end; at != end; ++at) {
+      distances.push_back(std::abs(std::stoi((*at)[1])));
+    }
+    return distances;
   }
 
   /// What `make run` prints.
@@ -57,13 +69,9 @@ TEST_F(FirmwarePackage, MovesAnArmInTime) {
   const std::string log = run();
   EXPECT_NE(log.find("mode: 1\nfaults: 0\n"), std::string::npos) << log;
   EXPECT_NE(log.find("steps: 1200\nof them in time: 1200\ndone\n"), std::string::npos) << log;
-  const std::regex away("1e-6 away from its goal: (-?[0-9]+)\n");
-  int joints = 0;
-  for (std::sregex_iterator at(log.begin(), log.end(), away); at != std::sregex_iterator(); ++at) {
-    EXPECT_LT(std::abs(std::stoi((*at)[1])), 5000) << log;  // it is led over 200000
-    ++joints;
-  }
-  EXPECT_EQ(joints, 6);
+  const std::vector<int> distances = read_distances(log);
+  EXPECT_EQ(distances.size(), 6U);
+  for (const int distance : distances) EXPECT_LT(distance, 5000) << log;  // it is led over 200000
 
   // A self-test that fails lets nothing begin; a step that takes too long lets the watchdog bite.
   change("main.c", "arm_selftest() != 0", "arm_selftest() == 0");
@@ -74,6 +82,23 @@ TEST_F(FirmwarePackage, MovesAnArmInTime) {
   const std::string late = run();
   EXPECT_NE(late.find("reset by the watchdog\n"), std::string::npos) << late;
   EXPECT_EQ(late.find("done"), std::string::npos) << late;
+}
+
+// Would catch: of two commands in one millisecond the first lost, a stop at that, and a motion to
+// where a joint's goal was left at, since the frame of its goal did not come.
+TEST_F(FirmwarePackage, LosesNoCommandAndMovesToNoGoalThatDidNotCome) {
+  const Outcome made = generate_package(kScene, "--target cortex-m4f --warnings none");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  change("port_qemu.c", "ARM_STOP, 0);",
+         "ARM_STOP, 0), leave(PORT_FRONT_END, 0x300, 4, ARM_KEEP_ALIVE, 0);");
+  const std::string stopped = run();
+  EXPECT_NE(stopped.find("mode: 1\nfaults: 0\nmode: 0\n"), std::string::npos) << stopped;
+
+  change("port_qemu.c", "for (uint32_t i = 0; i < ARM_JOINTS; ++i) {\n      leave(PORT_FRONT_END",
+         "for (uint32_t i = 1; i < ARM_JOINTS; ++i) {\n      leave(PORT_FRONT_END");
+  const std::string lacking = run();
+  EXPECT_NE(lacking.find("steps: 1200\n"), std::string::npos) << lacking;
+  for (const int distance : read_distances(lacking)) EXPECT_GT(distance, 100000) << lacking;
 }
 
 TEST_F(FirmwarePackage, TellsWhatItCannotBeMadeOf) {
