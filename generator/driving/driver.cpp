@@ -27,6 +27,7 @@
 #include "driving/robot_elsewhere.hpp"
 #include "interruption/clean_up.hpp"
 #include "servo/realtime.hpp"
+#include "servo/safety.hpp"
 #include "servo/state_machine.hpp"
 #include "terminal/write_output.hpp"
 #include "text/printable.hpp"
@@ -217,15 +218,20 @@ void Driver::read_input() {
   script_.close();
 }
 
-/// The drive ends with the script unless browsers may go on, and with a fault under a script. A
-/// signal before the last line cuts the script.
+/// The drive ends with the script unless browsers may go on, and with a fault under a script that
+/// is no `stop` of its own before other lines. A signal before the last line cuts the script.
 void Driver::watch_end() {
-  const bool faulted = session_.report().head.mode == static_cast<int>(servo::Mode::faulted);
-  if (faulted && settings_.script && !settings_.serves && outcome_.fault.empty()) {
+  const auto& head = session_.report().head;
+  const bool faulted = head.mode == static_cast<int>(servo::Mode::faulted);
+  const bool stopped = head.fault_kind == static_cast<int>(servo::FaultKind::emergency_stop);
+  const bool more = script_.has_more(time(), moving());
+  if (faulted && !(stopped && more) && settings_.script && !settings_.serves &&
+      outcome_.fault.empty()) {
     outcome_.fault = session_.fault();
+    if (more) say("the rest of the script is not obeyed");
   }
   const bool done = !settings_.serves && script_.ended(time(), moving());
-  if (asked_to_end && script_.has_more(time(), moving())) outcome_.script_cut = true;
+  if (asked_to_end && more) outcome_.script_cut = true;
   if (asked_to_end || done || !outcome_.fault.empty()) end();
 }
 

@@ -62,6 +62,16 @@ TEST_F(DriveEnds, ARobotThatIsFaultedHasFailed) {
   }
 }
 
+// Would catch: a script whose lines behind its own emergency stop are passed over without a word.
+TEST_F(DriveEnds, AScriptMayStopAndReset) {
+  write("script.txt", "start\nwait\nstop\nwait\nreset\nstart\nwait\njoint joint1 to 0.2\nwait\n");
+  const Outcome reset = run_drive("--headless --script script.txt");
+  EXPECT_EQ(reset.exit_code, 0) << reset.err;
+  EXPECT_NEAR(json::parse(reset.out)["q"][0].get<double>(), 0.2, 1e-3) << reset.err;
+  write("script.txt", "start\nwait\nstop\nwait\n");
+  EXPECT_EQ(run_drive("--headless --script script.txt").exit_code, 3);
+}
+
 TEST_F(DriveEnds, ARobotThatVanishesHasFailed) {
   const std::string address = "127.0.0.1:" + std::to_string(20000 + ::getpid() % 20000);
   write("script.txt", "start\njoint joint1 to 0.5 in 60 s\nwait\n");
