@@ -57,39 +57,39 @@ TL_INLINE bool tl_is_rotation(const real* R) {
       (tl_magnitude(determinant - TL_ONE) < TL_REAL(0.03));
 }
 
-/// Begins the law of the task, where it is not the law already: all points hold their
-/// present poses, the posture is where the joints were led last.
-TL_INLINE bool tl_enter_task(
-    const TlConfig* config, const TlMeasured* at, TlState* state) {
-  const bool enters = state->law != TL_TASK_LAW;
-  if (enters) {
+/// Begins the law of the task, where it is not the law already: all points but `led`,
+/// -1 for none, hold their present poses, the posture is where the joints were led
+/// last.
+TL_INLINE void tl_enter_task(
+    const TlConfig* config, const TlMeasured* at, int32_t led, TlState* state) {
+  if (state->law != TL_TASK_LAW) {
     state->law = TL_TASK_LAW;
 #if TL_FORCE
     state->pressing = 0;
 #endif
     tl_copy_numbers(&state->joint_motion[0], TL_JOINTS, &state->posture[0]);
     for (int32_t point = 0; point < TL_POINTS; ++point) {
-      TlPointMotion now;
-      tl_measured_motion(at, point, &now);
-      tl_clear_numbers(6, &now.velocity[0]);
-      (void)tl_move_point(config, &now, &now.position[0], &now.rotation[0],
-          config->period, point, state);
+      if (point != led) {
+        TlPointMotion now;
+        tl_measured_motion(at, point, &now);
+        tl_clear_numbers(6, &now.velocity[0]);
+        (void)tl_move_point(config, &now, &now.position[0], &now.rotation[0],
+            config->period, point, state);
+      }
     }
   }
-  return enters;
 }
 
 /// A point to a pose: from its reference, or from where it is if it was not following
-/// one.
+/// one. Nothing changes where there is no such motion.
 TL_INLINE int32_t tl_begin_pose(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, TlState* state, bool* switched) {
   const TlCommand* const command = &input->command;
-  const int32_t before = state->law;
-  int32_t refusal = TL_ACCEPTED;
+  int32_t refusal = TL_REFUSED_DURATION;
   TlPointMotion now;
-  bool anew = tl_enter_task(config, at, state);
+  bool anew = state->law != TL_TASK_LAW;
 #if TL_FORCE
-  const bool pressed = tl_is_pressing(state, command->point);
+  const bool pressed = (!anew) && tl_is_pressing(state, command->point);
   anew = anew || pressed;
 #endif
   if (anew) {
@@ -99,15 +99,14 @@ TL_INLINE int32_t tl_begin_pose(const TlConfig* config, const TlInput* input,
   }
   if (tl_move_point(config, &now, &command->position[0], &command->rotation[0],
           command->duration, command->point, state)) {
+    refusal = TL_ACCEPTED;
+    tl_enter_task(config, at, command->point, state);
 #if TL_FORCE
     if (pressed) {
       state->pressing = 0;
     }
 #endif
     *switched = anew;
-  } else {
-    state->law = before;
-    refusal = TL_REFUSED_DURATION;
   }
   return refusal;
 }
@@ -144,10 +143,30 @@ TL_INLINE int32_t tl_check_point(const TlConfig* config, const TlCommand* comman
 #endif
 
 #if TL_FORCE
+/// Lets the reference of the point that presses be where the point got to along its
+/// direction, so that nothing leads it back when it presses no more.
+TL_INLINE void tl_keep_pressed(
+    const TlConfig* config, const TlMeasured* at, TlState* state) {
+  const int32_t point = state->press_point;
+  TlPointMotion wanted;
+  real along = TL_ZERO;
+  tl_point_reference(config, state, point, &wanted);
+  for (int32_t i = 0; i < 3; ++i) {
+    along +=
+        state->direction[i] * (at->position[(3 * point) + i] - wanted.position[i]);
+  }
+  for (int32_t i = 0; i < 3; ++i) {
+    state->point_motion[(24 * point) + i] += along * state->direction[i];
+  }
+}
+
 /// Force along a direction, reached by and by.
 TL_INLINE void tl_begin_press(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, TlState* state) {
-  (void)tl_enter_task(config, at, state);
+  tl_enter_task(config, at, -1, state);
+  if (state->pressing != 0) {
+    tl_keep_pressed(config, at, state);
+  }
   state->pressing = 1;
   state->press_point = input->command.point;
   state->press_force = input->command.force;
@@ -164,7 +183,7 @@ TL_INLINE void tl_begin_compliance(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, TlState* state) {
   tl_start_holding(config, input, state);
 #if TL_TASK
-  (void)tl_enter_task(config, at, state);
+  tl_enter_task(config, at, -1, state);
 #else
   (void)at;
 #endif
@@ -274,13 +293,27 @@ TL_INLINE int32_t tl_begin(const TlConfig* config, const TlInput* input,
   return refusal;
 }
 
+/// Whether the controller has such commands, in whatever mode.
+TL_INLINE bool tl_is_kind(int32_t kind) {
+  bool known = ((kind >= TL_EMERGENCY_STOP) && (kind <= TL_START)) ||
+      (kind == TL_MOVE_JOINTS) || (kind == TL_KEEP_ALIVE) || (kind == TL_COMPLY) ||
+      (kind == TL_LEAD_JOINTS);
+#if TL_TASK
+  known = known || (kind == TL_MOVE_POINT);
+#endif
+#if TL_FORCE
+  known = known || (kind == TL_PRESS) || (kind == TL_LEAD_POINT);
+#endif
+  return known;
+}
+
 /// Commands of the loop: `seen` says whether the state was measured. `switched`
 /// becomes whether the law becomes another.
 TL_INLINE int32_t tl_apply_command(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, bool seen, TlState* state, bool* switched) {
   const int32_t kind = input->command.kind;
   int32_t refusal = TL_ACCEPTED;
-  if ((kind < TL_EMERGENCY_STOP) || (kind > TL_LEAD_POINT)) {
+  if (!tl_is_kind(kind)) {
     refusal = TL_REFUSED_KIND;
   } else if (kind == TL_EMERGENCY_STOP) {
     tl_raise_fault(TL_FAULT_EMERGENCY, state);

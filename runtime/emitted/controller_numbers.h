@@ -80,10 +80,12 @@ TL_INLINE void tl_clear_numbers(int32_t count, real* x) {
   }
 }
 
-/// Leads numbers that describe the robot a share nearer to what they have become.
+/// Leads numbers that describe the robot a share nearer to what they have become; at
+/// once where a way so long has left numbers behind that are none.
 TL_INLINE void tl_lead_to(const real* now, int32_t count, real share, real* led) {
   for (int32_t i = 0; i < count; ++i) {
-    led[i] = (share < TL_ONE) ? (led[i] + (share * (now[i] - led[i]))) : now[i];
+    const real nearer = led[i] + (share * (now[i] - led[i]));
+    led[i] = ((share < TL_ONE) && tl_is_number(nearer)) ? nearer : now[i];
   }
 }
 

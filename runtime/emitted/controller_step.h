@@ -149,11 +149,13 @@ TL_INLINE void tl_find_faults(const TlConfig* config, bool sound, bool seen,
   }
 }
 
-/// The torque that holds the robot at rest, within its limits.
+/// The torque that holds the robot at rest, within its limits; where it is none, the
+/// last that was one.
 TL_INLINE void tl_hold_gravity(
     const TlConfig* config, const TlMeasured* at, TlState* state) {
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
-    state->held[i] = tl_within(at->gravity[i], config->torque[i]);
+    const real sound = tl_is_number(at->gravity[i]) ? at->gravity[i] : state->held[i];
+    state->held[i] = tl_within(sound, config->torque[i]);
   }
 }
 
@@ -180,6 +182,9 @@ TL_INLINE void tl_step_torque(const TlConfig* config, const TlInput* input,
   if (known) {
     tl_mode_torque(config, input, at, how, state, output, output->tau);
     finite = tl_are_numbers(&output->tau[0], TL_JOINTS);
+    if (!finite) {
+      tl_raise_fault(TL_FAULT_TORQUE, state);
+    }
   }
   if (finite) {
     output->factor = tl_saturate(config, state->held, output->tau);

@@ -1,10 +1,11 @@
 // Would catch: commands that cannot be met and are taken, or are refused without the reason;
 // motions that swing beyond a joint's limits; what went on before and does not go on after a
-// refusal.
+// refusal; commands that there are not, refused for another reason.
 #include <cmath>
 #include <limits>
 
 #include "controller/simulated_arm.hpp"
+#include "planar_arm_controller.h"
 
 namespace treeline::tests {
 namespace {
@@ -120,6 +121,44 @@ TEST(Refusal, NotOfMotionsThatOnlyTakeLonger) {
   EXPECT_EQ(arm.output.faults, 0U);
   EXPECT_LT(peak, 1 + arm.config.speed_margin);
   EXPECT_NEAR(arm.input.q[2], 0.6, 1e-3);
+}
+
+TEST(Refusal, LeavesSpringsOfPointsWhereTheyPull) {
+  SimulatedArm arm = running();
+  for (int i = 0; i < 3; ++i) arm.config.point_stiffness[i] = 400;
+  arm.send(PUMA_ARM_COMPLY);
+  arm.run(0.2);
+  for (int k = 0; k < 500; ++k) {
+    arm.step();
+    arm.move({0, 20, 0, 0, 0, 0});
+  }
+  const puma_arm_state before = arm.state;
+  arm.move_point({1e6, 0, 0.5}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, 1);
+  arm.step();
+  EXPECT_EQ(arm.output.refused, PUMA_ARM_REFUSED_DURATION);
+  EXPECT_EQ(arm.state.law, before.law);
+  for (int i = 0; i < 24; ++i) EXPECT_EQ(arm.state.point_motion[i], before.point_motion[i]) << i;
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(arm.state.posture[i], before.posture[i]) << i;
+}
+
+TEST(Refusal, OfKindsThatThereAreNotInWhateverMode) {
+  SimulatedArm arm;
+  for (const int kind : {7, 13, -1, 1 << 30}) {
+    arm.send(static_cast<puma_arm_kind>(kind));
+    arm.step();
+    EXPECT_EQ(arm.output.refused, PUMA_ARM_REFUSED_KIND) << kind;
+  }
+  planar_arm_config config{};
+  planar_arm_state state{};
+  planar_arm_input input{};
+  planar_arm_output output{};
+  planar_arm_default_config(&config);
+  for (const planar_arm_kind kind : {PLANAR_ARM_PRESS, PLANAR_ARM_LEAD_POINT}) {
+    input.command.kind = kind;
+    ++input.command.sequence;
+    planar_arm_step(&config, &state, &input, &output);
+    EXPECT_EQ(output.refused, PLANAR_ARM_REFUSED_KIND) << kind;
+  }
 }
 
 }  // namespace

@@ -112,5 +112,27 @@ TEST(ControllerRows, LeadTheTorqueToAnotherPayload) {
   EXPECT_LT(std::fabs(told.state.held[4] - mobile.state.held[4]), 1e-3);
 }
 
+/// Would catch: a robot that rests, of which nothing can be computed any more since the payload is
+/// told so, whose torque is taken away without a fault and without brakes.
+TEST(ControllerRows, BrakeWherePayloadsMakeTorquesInfinite) {
+  Mobile mobile;
+  mobile.run(50);
+  EXPECT_EQ(mobile.output.faults, 0U);
+  mobile.config.fade = 0;
+  mobile.input.payload[0] = 1.7e308;
+  for (int k = 0; k < 200 && mobile.output.faults == 0; ++k) {
+    samm_arm_step(&mobile.config, &mobile.state, &mobile.input, &mobile.output);
+  }
+  EXPECT_EQ(mobile.output.faults, static_cast<unsigned>(SAMM_ARM_FAULT_TORQUE));
+  EXPECT_EQ(mobile.output.brakes, 1);
+  // What held it at rest goes on, and no torque at its limit.
+  for (int k = 0; k < 200; ++k) {
+    samm_arm_step(&mobile.config, &mobile.state, &mobile.input, &mobile.output);
+  }
+  for (int i = 0; i < n; ++i) {
+    EXPECT_LE(std::fabs(mobile.output.tau[i]), 0.5 * mobile.config.torque[i]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace treeline::tests

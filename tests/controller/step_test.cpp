@@ -310,6 +310,23 @@ TEST(Controller, PressesWithTheForceThatIsWanted) {
   for (int i = 0; i < 2; ++i) EXPECT_LT(std::fabs(arm.output.task_error[i]), 2e-3);
 }
 
+// Would catch: a point that presses in another direction, and is thrown back to where it began to
+// press in the first.
+TEST(Controller, PressesInAnotherDirectionFromWhereItGotTo) {
+  SimulatedArm arm = running();
+  double begin[3], from[3], to[3], rotation[9];
+  arm.pose(begin, rotation);
+  arm.press({0, 0, -1}, 20, 0.5);
+  arm.run(4);
+  arm.pose(from, rotation);
+  arm.press({1, 0, 0}, 2, 0.5);
+  arm.run(1);
+  arm.pose(to, rotation);
+  EXPECT_EQ(arm.output.faults, 0U);
+  EXPECT_LT(from[2], begin[2] - 0.05) << "it approached";
+  EXPECT_NEAR(to[2], from[2], 1e-3);
+}
+
 TEST(Controller, TheIntegralDoesNotWindUp) {
   SimulatedArm arm = running();
   arm.config.force_rate = 50;
