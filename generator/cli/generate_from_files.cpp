@@ -7,6 +7,7 @@
 
 #include "generation/warn_of_size.hpp"
 #include "generation/warn_of_speed_rise.hpp"
+#include "inspect/warn_of_rows.hpp"
 #include "packaging/package_kind.hpp"
 #include "terminal/print_diagnostics.hpp"
 #include "terminal/progress_line.hpp"
@@ -83,6 +84,7 @@ void tell_size(const InputOptions& options, const GeneratedInputs& made) {
   Diagnostics diagnostics;
   warn_of_size(made.inputs.scene, made.generation, diagnostics);
   warn_of_speed_rise(made.inputs.scene, made.generation, diagnostics);
+  warn_of_rows(made.inputs.robot, made.inputs.scene, diagnostics);
   print_diagnostics(diagnostics, options.warnings);
 }
 

@@ -28,7 +28,8 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     Failing failing, Diagnostics& diagnostics);
 
 /// Tells at once, before anything is written or compiled, what there is of it where that is much
-/// (`warn_of_size`), and where motors need a longer `speed_rise` than asked for.
+/// (`warn_of_size`), where motors need a longer `speed_rise` than asked for, and which rows of a
+/// controller's points cannot be moved.
 void tell_size(const InputOptions& options, const GeneratedInputs& made);
 
 }  // namespace treeline

@@ -48,7 +48,7 @@ const std::vector<NumberKey> kNumbers = {
     {"task_frequency", &SceneController::task_frequency, 0, 1e4, "rad/s, such as 20"},
     {"posture_frequency", &SceneController::posture_frequency, 0, 1e4, "rad/s, such as 5"},
     {"damping_ratio", &SceneController::damping_ratio, 0, 10, "1 damps critically"},
-    {"brake_damping", &SceneController::brake_damping, 0, 1e4, "1/s, such as 20"},
+    {"brake_damping", &SceneController::brake_damping, 1e-3, 1e4, "1/s, such as 20"},
     {"hold_frequency", &SceneController::hold_frequency, 1e-3, 1e4, "rad/s, such as 60"},
     {"observer", &SceneController::observer, 1e-3, 1e4, "rad/s, such as 300"},
     {"hold_reach", &SceneController::hold_reach, 1e-6, 10, "rad or m, such as 0.05"},
@@ -232,9 +232,10 @@ std::vector<Function> list_controller_functions(const Scene& scene) {
   return functions;
 }
 
-void check_controller(const SceneElement& top, const Robot& robot, const std::string& singular,
-                      const Scene& scene) {
+void check_controller(const SceneElement& scene_top, const Robot& robot,
+                      const std::string& singular, const Scene& scene) {
   if (!scene.controller) return;
+  const SceneElement top = scene_top.at("controller");
   const char* const kRemedy =
       "remove controller, and use the functions with a loop of your own (supported_control_torque "
       "where not every joint has a motor)";

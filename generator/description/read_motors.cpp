@@ -54,7 +54,16 @@ void check_motors(const SceneElement& top, const Robot& robot, const Scene& scen
   const auto& motors = scene.controller->motors;
   if (motors.empty()) return;
   for (const Joint& joint : robot.joints) {
-    if (!is_driven(joint, scene) || motors.contains(joint.name)) continue;
+    if (!is_driven(joint, scene)) continue;
+    if (motors.contains(joint.name)) {
+      const double torque = limits_in_controller(joint, *scene.controller).effort;
+      if (std::isfinite(torque)) continue;
+      top.error(
+          fmt::format("the torque of joint \"{}\" has no limit, so its current has none",
+                      joint.name),
+          fmt::format("state one: controller: {{motors: {{{}: {{current: 10}}}}}}", joint.name));
+      continue;
+    }
     top.error(fmt::format("the controller tells currents, but not of joint \"{}\"", joint.name),
               fmt::format("list its motor too, controller: {{motors: {{{}: ...}}}}, or none",
                           joint.name));

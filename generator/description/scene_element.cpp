@@ -85,6 +85,11 @@ SceneElement SceneElement::item(std::size_t i) const {
   return {node_[i], fmt::format("{}[{}]", path_, i), *reading_, alias_line_};
 }
 
+SceneElement SceneElement::at(const std::string& key) const {
+  const YAML::Node value = node_.IsMap() ? node_[key] : YAML::Node(YAML::NodeType::Undefined);
+  return value.IsDefined() ? inside(value, key) : *this;
+}
+
 bool SceneElement::is(std::string_view word) const {
   return node_.IsScalar() && node_.Scalar() == word;
 }

@@ -41,6 +41,8 @@ class SceneElement {
   void warn(std::string fault, std::string remedy) const;
   void note(std::string fact, std::string remedy) const;
 
+  /// The value under `key`; this where there is none.
+  [[nodiscard]] SceneElement at(const std::string& key) const;
   /// Whether this is that plain word.
   [[nodiscard]] bool is(std::string_view word) const;
   [[nodiscard]] bool is_list() const { return node_.IsSequence(); }

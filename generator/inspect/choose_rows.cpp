@@ -164,6 +164,11 @@ void choose_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>
   still.base = Base::fixed;
   choose_alone(held(draw_jacobians(robot, still, points), model_from_robot<double>(robot, still)),
                robot, still, points);
+  keep_independent_rows(robot, scene, points);
+}
+
+void keep_independent_rows(const Robot& robot, const Scene& scene,
+                           std::vector<ScenePoint>& points) {
   std::vector<ScenePoint> whole = points;
   for (ScenePoint& point : whole) point.rows.fill(true);
   choose_together(draw_jacobians(robot, scene, whole), points);

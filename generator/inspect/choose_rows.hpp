@@ -18,4 +18,8 @@ inline constexpr int kRowStates = 9;
 /// Some points may keep no row.
 void choose_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>& points);
 
+/// Keeps, of the points' rows, those that can be moved independently of each other in half of some
+/// random states, translations before rotations.
+void keep_independent_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>& points);
+
 }  // namespace treeline

@@ -96,6 +96,23 @@ TEST(ReadController, ReadsMotors) {
   expect_refused("motors: {" + shoulder + ", elbow: {ratio: 0, torque_constant: 1}}", "no ratio");
 }
 
+// Would catch: scenes whose defaults the step itself calls unsound, so that the robot never runs;
+// and faults of a controller that are told at the first line of the scene.
+TEST(ReadController, RefusesWhatItsStepWouldNotTake) {
+  const std::pair<std::string, std::string> scenes[] = {
+      {"brake_damping: 0, limits: {" + kShoulder + "}", "0 is not between"},
+      {"limits: {shoulder: {speed: 2, torque: none}}, motors: {elbow: {torque_constant: 1}, "
+       "slide: {torque_constant: 1}, shoulder: {torque_constant: 1}}",
+       "s.yaml:2: error: controller: the torque of joint \"shoulder\" has no limit"}};
+  for (const auto& [keys, fault] : scenes) {
+    Diagnostics refused;
+    EXPECT_FALSE(
+        parse_scene("gravity: [0, 0, -9.81]\ncontroller: {laws: joint_impedance, " + keys + "}\n",
+                    "s.yaml", make_robot(), refused));
+    EXPECT_NE(to_string(refused).find(fault), std::string::npos) << to_string(refused);
+  }
+}
+
 TEST(ReadController, RefusesAnObserverThatIsTooLate) {
   const std::string limits = "limits: {" + kShoulder + "}, ";
   Diagnostics diagnostics;
@@ -175,19 +192,19 @@ TEST(ReadController, SaysWhatIsWrong) {
       {"controller: {laws: joint_impedance, limits: {elbow: {lower: 1, upper: 0}}}",
        {Severity::error, 1, "controller/limits/elbow", "not below", "exchange"}},
       {"controller: {laws: task_impedance}",
-       {Severity::error, 1, "", "no operational point", "operational_points"}},
+       {Severity::error, 1, "controller", "no operational point", "operational_points"}},
       {"base: floating\ncontroller: {laws: joint_impedance}",
-       {Severity::error, 1, "", "floating base", "supported_control_torque"}},
+       {Severity::error, 2, "controller", "floating base", "supported_control_torque"}},
       {"passive: [elbow]\ncontroller: {laws: joint_impedance}\n"
        "functions: [supported_control_torque]\noperational_points: [{name: t, link: tool, rows: "
        "[x]}]",
-       {Severity::error, 1, "", "\"elbow\" is passive", "supported_control_torque"}},
+       {Severity::error, 2, "controller", "\"elbow\" is passive", "supported_control_torque"}},
       {"couplings: [{name: belt, joints: {elbow: 1, shoulder: -1}}]\n"
        "controller: {laws: joint_impedance}",
-       {Severity::error, 1, "", "constraints or couplings", "loop of your own"}},
+       {Severity::error, 2, "controller", "constraints or couplings", "loop of your own"}},
       {"singular: exact\ncontroller: {laws: task_impedance}\n"
        "operational_points: [{name: t, link: tool, rows: [x]}]",
-       {Severity::error, 1, "", "singular: exact", "leave out singular"}},
+       {Severity::error, 2, "controller", "singular: exact", "leave out singular"}},
   });
 }
 
