@@ -27,11 +27,16 @@ constexpr const char* kBehaviour =
     "  straight-line function takes the same instructions whatever its inputs.\n"
     "- {2} reentrant and keep no state.\n";
 
-std::string print_behaviour(const Scene& scene, bool stepping) {
-  return stepping ? fmt::format(fmt::runtime(kBehaviour),
-                                "The functions of `" + scene.name + ".hpp` are s",
-                                ", those of the step from the same state", "These functions are")
-                  : fmt::format(fmt::runtime(kBehaviour), "S", "", "Functions are");
+std::string print_behaviour(const Scene& scene, const Generation& generation) {
+  if (!generation.controller) {
+    return fmt::format(fmt::runtime(kBehaviour), "S", "", "Functions are");
+  }
+  const std::string own =
+      generation.functions.empty()
+          ? "The functions `controller_*`, which the step calls,"
+          : fmt::format("The functions of `{}{}`", scene.name, backend_of(scene.language).header);
+  return fmt::format(fmt::runtime(kBehaviour), own + " are s",
+                     ", those of the step from the same state", "These functions are");
 }
 
 constexpr const char* kLooping =
@@ -94,12 +99,12 @@ std::string print_files(const Generation& generation, const Provenance& provenan
 
 std::string print_assumptions(const Scene& scene, const Generation& generation) {
   const bool single = scene.real == Real::float32;
+  const std::string domain = describe_domain(generation);
   return fmt::format(
       "1. Inputs{} are finite. A NaN or an infinity makes NaN or infinite what depends on it; "
       "nothing "
       "is trapped or replaced. Results have to be tested by the caller.\n"
-      "2. Bounds of errors hold for {}. Beyond, results stay finite while squares and sums fit "
-      "`Real`, and no bound is stated.\n"
+      "2. {} Results stay finite while squares and sums fit `Real`.\n"
       "3. Sines and cosines are within 0.8 ulp up to {} rad; an angle beyond {} rad counts as 0.\n"
       "4. Rounding is to nearest. Subnormal numbers are not flushed to zero.\n"
       "5. `Real` is {} of IEC 60559, every operation rounds to it. The header stops the compiler "
@@ -110,7 +115,9 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       "`-fno-tree-slp-vectorize`.\n"
       "7. Arguments of one call do not overlap and have at least the stated sizes.\n",
       generation.controller ? " of functions (those of the step may be anything)" : "",
-      describe_domain(generation).empty() ? "no range of inputs" : describe_domain(generation),
+      domain.empty()
+          ? "No bound of errors is stated."
+          : fmt::format("Bounds of errors hold for {}. Beyond, no bound is stated.", domain),
       single ? "4000" : "1e5", single ? "2^20" : "2^32", single ? "binary32" : "binary64");
 }
 
@@ -213,7 +220,7 @@ std::string describe_safety(const Scene& scene, const Generation& generation,
       [](const GeneratedFunction& function) { return function.program.ending != nullptr; });
   const bool stepping = generation.controller != nullptr;
   section("Behaviour of the code",
-          print_behaviour(scene, stepping) + (loops ? kLooping : "") +
+          print_behaviour(scene, generation) + (loops ? kLooping : "") +
               (stepping ? describe_step_behaviour(scene.name) : "") + (ends ? kEnding : "") +
               (scene.ground_step ? fmt::format(kGround, scene.name) : "") +
               (generation.damped ? kDamped : "") + (scene.has_limits() ? kLimited : ""));

@@ -17,9 +17,14 @@ constexpr const char* kSafeState =
     "The safe state is the robot braked to rest and held there by torque: a reference begins at "
     "the "
     "present motion, slows down and stays, and the joints are led along it, in idle, stopping and "
-    "faulted alike. All torques are within `torque` and change by at most `torque_rate`. A spring "
+    "faulted alike. All torques are within `torque` and change by at most `torque_rate`; the first "
+    "step of a state knows none before it, and holds the robot at once. A spring "
     "up to three fifths of a motor's torque bears loads that the model does not know. It is a safe "
-    "state only while measurements, motors and this computer work.\n\n"
+    "state only while measurements, motors and this computer work. A joint of which neither "
+    "coordinate "
+    "nor velocity is measured is held against gravity for `blind_ticks` steps and gets no torque "
+    "after that. Where torques are not finite all joints get what last held them at rest. Brakes "
+    "have to hold them then.\n\n"
     "The spring knows no inertias. A joint that is far lighter than its motor would be swung by "
     "it: "
     "each half of a swing within 30 ms that does not fade takes half of its firmness away until "
@@ -51,7 +56,8 @@ constexpr const char* kObserver =
 
 constexpr const char* kReactions =
     "Faults are looked for in every step, STALE and FOLLOWING while running, MOVED while the robot "
-    "is braked and held. The torque of the step that finds one brakes already, within torque_rate; "
+    "is braked and held, and POSITION, SPEED and JUMP where all that is measured is finite. The "
+    "torque of the step that finds one brakes already, within torque_rate; "
     "a cycle is {} s. Reaction: mode "
     "faulted, brake and hold; the first fault stays in `output.reason`, all in `output.faults`, "
     "until RESET.\n\n";
@@ -104,6 +110,11 @@ std::vector<Guard> list_guards(const SceneController& own) {
       {"following", own.following, "rad, m", "against blocked joints and collisions",
        "a quarter turn: a blocked joint is pressed with all the torque",
        own.following >= kQuarterTurn},
+      {"brake_damping", own.brake_damping, "1/s", "the time and way of braking",
+       "less than 1: at rest only after many seconds", own.brake_damping < 1},
+      {"hold_reach", own.hold_reach, "rad, m", "against robots that are dragged away at rest",
+       "an eighth of a turn: one that is dragged by twice as much is no fault",
+       own.hold_reach >= kQuarterTurn / 2},
       {"torque_rise", own.torque_rise, "s", "against steps in torque",
        "less than two steps: torque may jump to its limit", own.torque_rise < 2 * own.period}};
 }
@@ -130,7 +141,7 @@ std::string list_missing_limits(const ControllerUnit& unit) {
     add(open && joint.turns(), "position (turns without end)");
     add(open && !joint.turns(), "position");
     add(std::isinf(joint.speed), "speed");
-    add(std::isinf(joint.torque), "torque");
+    add(std::isinf(joint.torque), "torque (no spring bears loads in the safe state)");
     if (missing.empty()) continue;
     text += fmt::format("- `{}`: {}\n", joint.name, missing);
   }

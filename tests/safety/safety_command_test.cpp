@@ -192,7 +192,27 @@ TEST_F(SafetyNotes, TellOfTheControllersStep) {
   EXPECT_EQ(faults, 10);
   EXPECT_NE(text.find("| `stale_ticks` | 0 steps: **unsafe** |"), std::string::npos) << text;
   EXPECT_EQ(text.find("| `jump` | 0.05 rad, m: **unsafe** |"), std::string::npos) << text;
-  EXPECT_NE(text.find("- `joint2`: torque\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("- `joint2`: torque (no spring"), std::string::npos) << text;
+}
+
+// Would catch: notes that speak of functions and bounds which a controller alone does not have, or
+// of the headers of another language.
+TEST_F(SafetyNotes, TellOfAControllerAlone) {
+  write("scene.yaml",
+        "name: arm\nlanguage: c\nfunctions: []\ncontroller: {laws: joint_impedance, brake_damping: "
+        "0.1}\n");
+  const auto made = test::run_program(
+      folder_.path(), "generate '" TREELINE_ROBOTS_DIR
+                      "/puma560/puma560.urdf' scene.yaml --output code --safety SAFETY.md");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string text = notes();
+  for (const char* is_false : {"functions of `arm", "arm.hpp", "Bounds of errors hold"}) {
+    EXPECT_EQ(text.find(is_false), std::string::npos) << is_false;
+  }
+  for (const char* is_true : {"No bound of errors is stated.", "- The functions `controller_*`",
+                              "| `brake_damping` | 0.1 1/s: **unsafe** |"}) {
+    EXPECT_NE(text.find(is_true), std::string::npos) << is_true;
+  }
 }
 
 // Would catch: notes that call straight-line what ends in a routine with loops, or a step that
