@@ -36,10 +36,9 @@ const std::string kController = "functions: []\ncontroller: {laws: task_impedanc
 
 TEST(WarnOfRows, NamesThoseThatNothingMoves) {
   const std::string text = told("x, y, z, rx, ry, rz", kController);
-  EXPECT_NE(
-      text.find("s.yaml: warning: operational_points: the joints cannot move rows x, z, rx, "
-                "rz of point \"tool\""),
-      std::string::npos)
+  EXPECT_NE(text.find("s.yaml: warning: operational_points: the joints cannot move rows x, z, rx, "
+                      "rz of point \"tool\""),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("rows: [y, ry]"), std::string::npos) << text;
 }
