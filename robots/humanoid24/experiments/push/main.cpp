@@ -11,12 +11,14 @@ int main(int argc, char** argv) {
       "their limits, and it recovers. By the unlimited law it falls. Exit status 3 if it does "
       "not."};
   OutputPaths paths;
+  std::string table;
   add_outputs(command, paths, "write the run within limits here", "draw both runs into this file");
-  return run_experiment(command, argc, argv, [&paths] {
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&paths, &table] {
     const auto limited = run_push(true);
     const auto unlimited = run_push(false);
-    return Findings{push_summary(limited, unlimited),
-                    files_of(paths, limited.table, push_figure(limited, unlimited)),
-                    push_claim_holds(limited, unlimited)};
+    auto files = files_of(paths, limited.table, push_figure(limited, unlimited));
+    files.push_back({table, push_page_table(limited, unlimited)});
+    return Findings{push_summary(limited, unlimited), files, push_claim_holds(limited, unlimited)};
   });
 }

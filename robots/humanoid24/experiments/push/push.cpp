@@ -24,7 +24,7 @@ struct Push {
 };
 constexpr double kPushTime = 0.1;  ///< s
 constexpr Push kPushes[] = {
-    {13.0, {200.0, 0.0, 0.0}}, {16.0, {-200.0, 0.0, 0.0}}, {19.0, {0.0, 130.0, 0.0}}};
+    {kFirstPush, {200.0, 0.0, 0.0}}, {16.0, {-200.0, 0.0, 0.0}}, {19.0, {0.0, 130.0, 0.0}}};
 constexpr const char* kColumns[] = {"time",       "com_x",     "com_y",      "pressure_x",
                                     "pressure_y", "left_load", "right_load", "hand_error",
                                     "torque",     "push",      "tilt",       "iterations"};

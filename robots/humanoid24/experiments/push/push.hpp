@@ -31,11 +31,16 @@ struct PushRun {
   servo::Fault fault;  ///< of the servo loop, which stops at any limit of a joint
 };
 
+/// When the first push begins, s.
+inline constexpr double kFirstPush = 13.0;
+
 /// Simulates 23 s at 1 kHz through the servo loop, or until a fault; `within_limits` false: by the
 /// unlimited law.
 PushRun run_push(bool within_limits);
 
 std::string push_summary(const PushRun& limited, const PushRun& unlimited);
+/// The table of the page.
+std::string push_page_table(const PushRun& limited, const PushRun& unlimited);
 report::Plot push_figure(const PushRun& limited, const PushRun& unlimited);
 
 /// Whether the claim holds. Within limits no fault stops the loop, the base has no torque at all,

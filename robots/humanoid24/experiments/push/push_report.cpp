@@ -24,11 +24,18 @@ enum Column : std::size_t {
   kTilt
 };
 
+double end_of(const PushRun& run) {
+  return run.table.at(run.table.rows() - 1, kTime);
+}
+
+std::string describe_end(const PushRun& run) {
+  if (!run.fault) return "no fault";
+  return describe_fault(run.fault, humanoid24_push::kCoordinateJoints,
+                        humanoid24_push::kVelocityJoints);
+}
+
 std::string describe(const PushRun& run) {
   const PushFigures& f = run.figures;
-  const std::string end = run.fault ? describe_fault(run.fault, humanoid24_push::kCoordinateJoints,
-                                                     humanoid24_push::kVelocityJoints)
-                                    : "no fault";
   return fmt::format(
       "ends                      after {:.3f} s, {}\n"
       "{}"
@@ -36,9 +43,8 @@ std::string describe(const PushRun& run) {
       "soles                     tilted by {:.2e} rad, lifted by {:.2e} m, slid {:.2e} m\n"
       "left hand off its path    {:.2e} m before, {:.2e} m while pushed\n"
       "centre of mass            {:.3f} m away, pushed; in the end {:.1e} m, joints {:.1e} rad/s\n",
-      run.table.at(run.table.rows() - 1, kTime), end, describe_limits(f), f.least_share,
-      f.most_share, f.tilt, f.lifted, f.slipped, f.hand_error, f.hand_pushed, f.away, f.end_away,
-      f.end_speed);
+      end_of(run), describe_end(run), describe_limits(f), f.least_share, f.most_share, f.tilt,
+      f.lifted, f.slipped, f.hand_error, f.hand_pushed, f.away, f.end_away, f.end_speed);
 }
 
 /// A column of a run that may have ended early, as long as the other's.
@@ -59,6 +65,25 @@ std::string push_summary(const PushRun& limited, const PushRun& unlimited) {
   return "the humanoid stands on two feet, leans, reaches, and is pushed thrice\n\nwithin "
          "limits\n" +
          describe(limited) + "\nby the unlimited law\n" + describe(unlimited);
+}
+
+std::string push_page_table(const PushRun& limited, const PushRun& unlimited) {
+  const PushFigures& f = limited.figures;
+  const PushFigures& u = unlimited.figures;
+  return fmt::format(
+      "| over {:.0f} s | within limits | unlimited law |\n|---|---|---|\n"
+      "| ends | at rest, {:.1f} mm from where it began | {:.1f} s after the first push, falling, "
+      "its forces {:.0f} N beyond a cone |\n"
+      "| largest torque of a motor, of its limit | {:.3f} | {:.1f} |\n"
+      "{}"
+      "| soles tilt by, lift by | {:.1f} mrad, {:.1f} mm | {:.0f} mrad, {:.0f} mm |\n"
+      "| load of the left foot, leaning | {:.0f} to {:.0f} % | {:.0f} to {:.0f} % |\n"
+      "| hand off its path, unpushed and pushed | {:.0f} µm, {:.1f} mm | {:.0f} µm, {:.1f} mm |\n",
+      end_of(limited), 1e3 * f.end_away, end_of(unlimited) - kFirstPush, u.beyond, f.torque,
+      std::fabs(unlimited.fault.value / unlimited.fault.limit), rows_of_limits(f), 1e3 * f.tilt,
+      1e3 * f.lifted, 1e3 * u.tilt, 1e3 * u.lifted, 1e2 * f.least_share, 1e2 * f.most_share,
+      1e2 * u.least_share, 1e2 * u.most_share, 1e6 * f.hand_error, 1e3 * f.hand_pushed,
+      1e6 * u.hand_error, 1e3 * u.hand_pushed);
 }
 
 report::Plot push_figure(const PushRun& limited, const PushRun& unlimited) {

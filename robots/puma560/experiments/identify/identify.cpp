@@ -173,6 +173,17 @@ std::string identify_summary(const Identification& result) {
   return text;
 }
 
+std::string identify_page_table(const Identification& result) {
+  std::string text =
+      "| joint | noise N m | torque, rms N m | error N m | error without friction N m |\n"
+      "|---|---|---|---|---|\n";
+  for (int i = 0; i < kJoints; ++i) {
+    text += fmt::format("| {} | {:.2f} | {:#.3g} | {:.3f} | {:#.3g} |\n", i + 1, result.noise(i),
+                        result.held_out_torque(i), result.held_out_error(i), result.urdf_error(i));
+  }
+  return text;
+}
+
 report::Plot identify_figure(const Identification& result) {
   report::Plot plot;
   plot.title = "PUMA 560 identified: torques of a motion that was not used";

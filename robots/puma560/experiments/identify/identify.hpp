@@ -35,6 +35,8 @@ Identification identify();
 /// standard deviations say, and torques of another motion are predicted far below the noise.
 bool identify_claim_holds(const Identification& result);
 std::string identify_summary(const Identification& result);
+/// The table of the page.
+std::string identify_page_table(const Identification& result);
 report::Plot identify_figure(const Identification& result);
 
 }  // namespace treeline::experiments

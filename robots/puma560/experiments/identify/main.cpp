@@ -12,10 +12,12 @@ int main(int argc, char** argv) {
   OutputPaths paths;
   add_outputs(command, paths, "write the torques of the other motion here",
               "draw them into this file");
-  return run_experiment(command, argc, argv, [&paths] {
+  std::string table;
+  add_page_table(command, table);
+  return run_experiment(command, argc, argv, [&paths, &table] {
     const auto result = identify();
-    return Findings{identify_summary(result),
-                    files_of(paths, result.held_out, identify_figure(result)),
-                    identify_claim_holds(result)};
+    auto files = files_of(paths, result.held_out, identify_figure(result));
+    files.push_back({table, identify_page_table(result)});
+    return Findings{identify_summary(result), files, identify_claim_holds(result)};
   });
 }
