@@ -8,7 +8,7 @@ import numpy as np
 
 from conventions import Lacking, Undetermined
 from robot_file import inertials_of, rotation_from_rpy
-from rows import constraint_errors, held_bias, held_jacobian, rows_bias, rows_jacobian
+from rows import constraint_errors, held_bias, held_jacobian, held_shares, row_shares, rows_bias, rows_jacobian
 
 # Of the largest force, where small ones are rounded.
 FLOOR = 1e-5
@@ -252,13 +252,18 @@ def impulse_response(f, case, v):
     return {"dqd": (np.linalg.solve(M, impulse), terms(np.abs(J.T) @ np.abs(v["impulse"])), M)}
 
 
-def task_force(a, v):
-    return a.Lambda @ (v["xdd_cmd"] - a.bias - a.J @ v["qdd_0"])
+def task_force(a, case, v):
+    """s^2 times the error of a task that is done to a share s is (1 - s^2) times its own inverse inertia times F."""
+    s = row_shares(case.points, v.get("active_tasks"))
+    owner = np.repeat(np.arange(len(case.points)), [len(point.rows) for point in case.points])
+    own = np.where(owner[:, None] == owner, a.Lambda_inv, 0)
+    weakened = s[:, None] * a.Lambda_inv * s + (1 - s * s) * own
+    return s * np.linalg.solve(weakened, s * (v["xdd_cmd"] - a.bias - a.J @ v["qdd_0"]))
 
 
 def control_torque(f, case, v):
     a = Algebra(f, case)
-    F, posture = task_force(a, v), a.M @ v["qdd_0"]
+    F, posture = task_force(a, case, v), a.M @ v["qdd_0"]
     applied = a.J_ext.T @ v.get("f_ext", np.zeros(0))
     return {"tau": (a.J.T @ F + posture + a.h - applied, of_size(terms(np.abs(a.J.T) @ np.abs(F), posture, a.h)))}
 
@@ -301,11 +306,14 @@ def constrained_forward_dynamics(f, case, v):
     moved = np.linalg.eigvalsh(held_inverse)
     if moved[0] < 1e-10 * max(moved[-1], np.max(np.diag(a.M_inverse)) * 1e-6):
         raise Undetermined("held rows that depend on each other, or that nothing moves")
-    forces = np.linalg.solve(held_inverse, wanted - J @ free)
+    # Of a row held to a share w: w times what it lacks is (1 - w) times its own inverse inertia times its force.
+    w = held_shares(case, v.get("active"))
+    weakened = w[:, None] * held_inverse + np.diag((1 - w) * np.diag(held_inverse))
+    forces = np.linalg.solve(weakened, w * (wanted - J @ free))
     qdd = free + a.M_inverse @ (J.T @ forces)
     size = of_size(terms(np.abs(a.M) @ np.abs(qdd), a.h, v["tau"], np.abs(J.T) @ np.abs(forces)))
     weighed = [(lambda ours: a.M @ ours, a.M @ qdd, size)]
-    if not np.any(v["stabilisation"]) and np.max(np.abs(J @ v["qd"]), initial=0) < 1e-9:
+    if np.all(w == 1) and not np.any(v["stabilisation"]) and np.max(np.abs(J @ v["qd"]), initial=0) < 1e-9:
         try:
             own = f.constrained_acceleration(case, v["tau"] + a.J_ext.T @ v.get("f_ext", np.zeros(0)))
             weighed.append((lambda ours: a.M @ ours, a.M @ own, size))
@@ -315,32 +323,41 @@ def constrained_forward_dynamics(f, case, v):
 
 
 def supported_control_torque(f, case, v):
-    """Of (qdd, forces) that motors and supports permit: nearest to qdd_0 by M, then to f_wanted."""
+    """Of (qdd, forces) that motors and supports permit: nearest to qdd_0 by M, then to f_wanted. Of what comes and goes
+    the sets alone have an answer."""
     a, n = Algebra(f, case), len(v["qdd_0"])
     J, bias = held_jacobian(f, case), held_bias(f, case)
+    w = held_shares(case, v.get("active"))
+    s = row_shares(case.points, v.get("active_tasks"))
+    if not np.all(np.isin(np.concatenate([w, s]), (0, 1))):
+        raise Undetermined("what is held or done in part")
+    is_held, done = w == 1, s == 1
+    J, bias = J[is_held], bias[is_held]
     passive = case.passive_velocities()
     h = a.h - a.J_ext.T @ v.get("f_ext", np.zeros(0))
-    A = np.block([[J, np.zeros((len(J), len(J)))], [a.J, np.zeros((len(a.J), len(J)))],
+    A = np.block([[J, np.zeros((len(J), len(J)))], [a.J[done], np.zeros((np.sum(done), len(J)))],
                   [a.M[passive], -J.T[passive]]])
-    b = np.concatenate([-bias, v["xdd_cmd"] - a.bias, -h[passive]])
+    b = np.concatenate([-bias, (v["xdd_cmd"] - a.bias)[done], -h[passive]])
     # A moment counts as a force at 0.1 m.
     weight = np.array([1.0 if index < 3 else 10.0 for held in case.held + case.loops for index in held.indices]
-                      + [1.0 for _ in case.couplings])
+                      + [1.0 for _ in case.couplings])[is_held]
     root = np.linalg.cholesky(a.M).T
     x = _nearest(A, b, [(np.hstack([root, np.zeros((n, len(J)))]), root @ v["qdd_0"]),
-                        (np.hstack([np.zeros((len(J), n)), np.diag(weight)]), weight * v["f_wanted"])])
+                        (np.hstack([np.zeros((len(J), n)), np.diag(weight)]), weight * v["f_wanted"][is_held])])
     tau = a.M @ x[:n] + h - J.T @ x[n:]
     size = of_size(terms(a.M @ x[:n], h, np.abs(J.T) @ np.abs(x[n:])))
-    return {"tau": (tau, size), "f": (x[n:], np.full(len(J), np.max(size)))}
+    forces = np.zeros(len(w))
+    forces[is_held] = x[n:]
+    return {"tau": (tau, size), "f": (forces, np.full(len(w), np.max(size)))}
 
 
 def _nearest(A, b, levels):
     """x with A x = b that is nearest in the first level, and of these in the next."""
     scale = np.linalg.norm(A, axis=1)
-    if np.any(scale < 1e-9 * np.max(scale)):
+    if np.any(scale < 1e-9 * np.max(scale, initial=0)):
         raise Undetermined("rows that nothing moves")
     U, s, V = np.linalg.svd(A / scale[:, None])
-    if len(A) > A.shape[1] or s[-1] < 1e-3 * s[0]:
+    if len(A) > A.shape[1] or np.min(s, initial=1) < 1e-3 * np.max(s, initial=1):
         raise Undetermined("tasks and supports at a singularity")
     x, free = V[:len(s)].T @ ((U.T @ (b / scale)) / s), V[len(s):].T
     for matrix, goal in levels:

@@ -2,11 +2,11 @@
 
   judge.py --treeline PROGRAM --work FOLDER ROBOT.urdf...
 
-Every robot is judged on a fixed and a floating base, at random states, in eight scenes: motion; forces, with a support
-and contacts; drives in its joints; rotors that turn what carries them; inputs at run time; a loop between two links; a
-wheel that rolls; an object in two hands. Scenes that a robot cannot have are left out. disagreements.tsv lists what may
-differ or cannot be compared, with the reason; a row there that is not so fails as well. Exit status 1: something
-differs.
+Every robot is judged on a fixed and a floating base, at random states, in nine scenes: motion; forces, with a support
+and contacts; supports and tasks that come and go; drives in its joints; rotors that turn what carries them; inputs at
+run time; a loop between two links; a wheel that rolls; an object in two hands. Scenes that a robot cannot have are left
+out. disagreements.tsv lists what may differ or cannot be compared, with the reason; a row there that is not so fails as
+well. Exit status 1: something differs.
 """
 
 import argparse
@@ -32,7 +32,7 @@ from report import Report
 from robot_file import RobotFile
 from rotors import FUNCTIONS as ROTORS, Rotors
 from rows import held_jacobian, rows_jacobian
-from scenes import CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, ROLLING, Case, Drives
+from scenes import ACTIVITY, CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, ROLLING, Case, Drives
 
 JUDGES = (Pinocchio, Drake, Mujoco)
 STATES = 3
@@ -184,6 +184,15 @@ class Trial:
         emitted = self.emit(self.case.forces_yaml(), functions, "forces")
         if emitted is not None:
             self.compare(emitted, judges, "forces", states)
+            self.judge_activity(judges, states)
+
+    def judge_activity(self, judges, states):
+        """Supports and tasks that come and go: in part, then some of them whole and the others gone."""
+        emitted = self.emit(self.case.activity_yaml(), ACTIVITY, "activity")
+        for state, in_part in zip(states, (True, False)) if emitted is not None else ():
+            self.case.draw_shares(self.random, in_part)
+            self.compare(emitted, judges, "activity", [state])
+        self.case.shares = {}
 
     def hold_rows(self, judge, state):
         """Takes from the velocities what moves held rows."""
@@ -302,6 +311,7 @@ class Trial:
             figures = {judge.name: judge.at(self.freedoms, state) for judge in judges}
             values = draw_inputs(self.case, self.freedoms, state, figures, self.random)
             values.update(self.case.inputs.values if self.case.inputs else {})
+            values.update(self.case.shares)
             for name, function in emitted.functions.items():
                 ours = function(inputs_for(name, self.case, values))
                 for judge in judges:

@@ -131,6 +131,18 @@ class Rolling:
         return np.zeros(3)
 
 
+def row_shares(points, shares):
+    """To which share each row of points that come and go is held or done."""
+    counts = [len(point.rows) for point in points]
+    return np.ones(sum(counts)) if shares is None else np.repeat(shares, counts)
+
+
+def held_shares(case, shares):
+    """Likewise of all held rows: loops and couplings stay."""
+    others = sum(len(loop.rows) for loop in case.loops) + len(case.couplings)
+    return np.concatenate([row_shares(case.held, shares), np.ones(others)])
+
+
 def skew(a):
     return np.array([[0, -a[2], a[1]], [a[2], 0, -a[0]], [-a[1], a[0], 0]])
 

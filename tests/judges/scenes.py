@@ -19,6 +19,7 @@ FORCES = ("jacobian bias_acceleration inverse_dynamics lambda_inverse lambda con
           "dynamically_consistent_inverse null_space_projector operational_bias_force operational_gravity "
           "contact_motion contact_inverse_inertia effective_mass impulse_response constrained_forward_dynamics "
           "supported_control_torque constraint_jacobian link_inverse_inertias").split()
+ACTIVITY = "control_torque constrained_forward_dynamics supported_control_torque".split()
 LOOPS = "constrained_forward_dynamics constraint_jacobian constraint_errors".split()
 # What a loop holds, one kind a robot in turn: a weld, a ball joint, a hinge about z.
 CLOSINGS = (ALL_ROWS, ("x", "y", "z"), ("x", "y", "z", "rx", "ry"))
@@ -82,7 +83,7 @@ class Case:
                            SUPPORTS[random.integers(len(SUPPORTS))])]
         self.loops, self.loop_frames = [], {}
         self.couplings, self.passive, self.freedoms, self.drives, self.inputs = [], (), None, None, None
-        self.parameter_links = []
+        self.parameter_links, self.shares = [], {}
 
     def coupling_rows(self):
         rows = []
@@ -132,14 +133,25 @@ class Case:
         return (self.base_yaml() + _list("operational_points", self.points)
                 + _list("external_forces", self.external, False))
 
+    def held_yaml(self):
+        held = "".join("  - " + h.yaml().replace(f'link: "{h.link}"', f'between: ["{h.link}", world]') + "\n"
+                       for h in self.held)
+        return self.motion_yaml() + "constraints:\n" + held
+
     def forces_yaml(self):
         contacts = "".join(f'  - {{name: {c.name}, link: "{c.link}", origin: {place_yaml(c.xyz, c.rpy)}}}\n'
                            for c in self.contacts)
-        held = "".join("  - " + h.yaml().replace(f'link: "{h.link}"', f'between: ["{h.link}", world]') + "\n"
-                       for h in self.held)
-        return (self.base_yaml() + _list("operational_points", self.points)
-                + _list("external_forces", self.external, False)
-                + "contacts:\n" + contacts + "constraints:\n" + held + "damped: {mass: 0.5, inertia: 0.02}\n")
+        return self.held_yaml() + "contacts:\n" + contacts + "damped: {mass: 0.5, inertia: 0.02}\n"
+
+    def activity_yaml(self):
+        """All tasks and supports come and go."""
+        names = ", ".join(point.name for point in self.points + self.held)
+        return self.held_yaml() + f"inputs: {{active: [{names}]}}\n"
+
+    def draw_shares(self, random, in_part):
+        draw = (lambda count: random.uniform(0, 1, count)) if in_part else (
+            lambda count: random.integers(2, size=count).astype(float))
+        self.shares = {"active": draw(len(self.held)), "active_tasks": draw(len(self.points))}
 
     def keep_independent_rows(self, figures_at_states):
         """Rows that support and task can move ordinarily at all these states: nothing is relaxed then."""
