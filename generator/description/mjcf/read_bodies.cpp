@@ -233,7 +233,7 @@ class Bodies {
          parent, pose, initial);
   }
 
-  /// Mass and shapes.
+  /// Mass and shapes. Where geoms count and none has mass, what is stated does.
   void read_contents(const MjcfElement& body, const std::vector<Placed>& parts, int link) {
     MjcfMass mass;
     std::optional<FlatInertial> stated;
@@ -243,9 +243,7 @@ class Bodies {
       return part.element.name() == "inertial";
     });
     for (const Placed& part : parts) {
-      if (part.element.name() == "inertial" && !from_geoms) {
-        stated = read_inertial(part.element, compiler_);
-      }
+      if (part.element.name() == "inertial") stated = read_inertial(part.element, compiler_);
       if (part.element.name() != "geom") continue;
       const MjcfGeom geom(part.element, part.frame, compiler_, assets_, moving_.contains(link));
       geom.add_shapes(shapes);
@@ -253,8 +251,9 @@ class Bodies {
     }
     FlatLink& flat = result_.model.links[static_cast<std::size_t>(link)];
     flat.shapes = std::move(shapes);
-    flat.inertial = stated ? stated : inertial_of(mass);
-    if (flat.inertial) bound_inertial(body, compiler_, *flat.inertial);
+    flat.inertial = inertial_of(mass);
+    if (!flat.inertial) flat.inertial = stated;
+    bound_inertial(body, compiler_, flat.inertial);
   }
 
   const MjcfCompiler& compiler_;

@@ -129,8 +129,16 @@ std::optional<FlatInertial> inertial_of(const MjcfMass& mass) {
   return inertial;
 }
 
-void bound_inertial(const MjcfElement& body, const MjcfCompiler& compiler, FlatInertial& inertial) {
-  if (compiler.boundmass == 0 && compiler.boundinertia == 0 && !compiler.balanceinertia) return;
+void bound_inertial(const MjcfElement& body, const MjcfCompiler& compiler,
+                    std::optional<FlatInertial>& bounded) {
+  const bool from_below = compiler.boundmass > 0 || compiler.boundinertia > 0;
+  if (!from_below && !(bounded && compiler.balanceinertia)) return;
+  if (!bounded) {
+    // MuJoCo takes the body's pose in its parent for that of the inertia, which nothing states.
+    bounded.emplace();
+    bounded->pose = read_mjcf_pose(body, compiler);
+  }
+  FlatInertial& inertial = *bounded;
   Eigen::Matrix3d I;
   I << inertial.ixx, inertial.ixy, inertial.ixz, inertial.ixy, inertial.iyy, inertial.iyz,
       inertial.ixz, inertial.iyz, inertial.izz;

@@ -33,8 +33,10 @@ FlatInertial read_inertial(const MjcfElement& element, const MjcfCompiler& compi
 /// The inertia of all that geoms weigh; nothing where that is nothing.
 std::optional<FlatInertial> inertial_of(const MjcfMass& mass);
 
-/// Changes inertias as `boundmass`, `boundinertia` and `balanceinertia` say, with a warning.
-void bound_inertial(const MjcfElement& body, const MjcfCompiler& compiler, FlatInertial& inertial);
+/// Changes the inertia of a body, also of one without mass, as `boundmass`, `boundinertia` and
+/// `balanceinertia` say, with a note.
+void bound_inertial(const MjcfElement& body, const MjcfCompiler& compiler,
+                    std::optional<FlatInertial>& bounded);
 
 void scale_inertial(double factor, FlatInertial& inertial);
 

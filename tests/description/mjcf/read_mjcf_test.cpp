@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -132,6 +133,26 @@ TEST(MjcfNames, AreMadeOfThoseAround) {
 
 // Would catch: limits that readers by urdfdom refuse, and placeholders of our own that are warned
 // of.
+// Would catch bodies that lose what is stated of them where the geoms that count weigh nothing, and
+// bounds that leave such bodies out.
+TEST(MjcfMasses, OfBodiesThatNoGeomWeighs) {
+  Diagnostics diagnostics;
+  const auto robot =
+      read("<compiler inertiafromgeom='true' inertiagrouprange='0 2' boundmass='0.5'/>" +
+               arm("<body name='stated'><joint name='a'/><inertial pos='0 0 1' mass='2' "
+                   "diaginertia='1 1 1'/><geom size='1' group='3'/></body>"
+                   "<body name='empty'><joint name='b'/></body>"),
+           diagnostics);
+  ASSERT_TRUE(robot);
+  const auto mass_of = [&](const std::string& name) {
+    const auto link = std::find_if(robot->links.begin(), robot->links.end(),
+                                   [&](const Link& each) { return each.name == name; });
+    return link != robot->links.end() && link->inertial ? link->inertial->mass : 0.0;
+  };
+  EXPECT_EQ(mass_of("stated"), 2.0);
+  EXPECT_EQ(mass_of("empty"), 0.5);
+}
+
 TEST(MjcfLimits, OfWhatHasNoneAreNumbers) {
   Diagnostics diagnostics;
   const std::string body = arm("<body><joint type='slide' range='-1 2'/><geom size='1'/></body>" +
