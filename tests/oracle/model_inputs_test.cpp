@@ -46,6 +46,8 @@ bool changes(Function function, Quantity quantity, const StateSpace& space, cons
   State other = state;
   if (quantity == Quantity::tool_orientation) {  // its length does not count
     other.others[quantity].front() *= 1.25;
+  } else if (quantity == Quantity::active_tasks) {  // what is done in part takes a law
+    other.others[quantity].assign(1, 0);
   } else {
     for (double& entry : other.others[quantity]) entry *= 1.25;
   }
