@@ -20,11 +20,17 @@ double hierarchy_of(Real real) {
   return real == Real::float32 ? 30 : 1000;
 }
 
+/// Seventh root of 256 units of rounding: what is left of cones of supports that are held less.
+double least_share_of(Real real) {
+  return std::pow(256 * (real == Real::float32 ? 0x1p-23 : 0x1p-52), 1.0 / 7);
+}
+
 /// Largest error as a multiple of the effect of rounding the matrices. The unknowns of all levels
 /// are one vector, in which the slack's are 100 k times as large as the posture's. Small unknowns
-/// have the rounding errors of large ones, ten times over.
-double of_sensitivity(Real real) {
-  return 1000 * hierarchy_of(real);
+/// have the rounding errors of large ones, ten times over; and ten times again where cones of
+/// supports that are held in part are as many times as wide as the slack says.
+double of_sensitivity(Real real, const LimitFacts& facts) {
+  return (facts.has_shares() ? 10000 : 1000) * hierarchy_of(real);
 }
 
 constexpr int kPerturbations = 2;
@@ -212,8 +218,8 @@ std::array<double, 4> LimitsJudge::errors_of(const LimitedCall& actual,
 LimitsJudge::Compared LimitsJudge::compare(const CalledState& called) const {
   const auto& [at, result, unlimited] = called;
   const State& state = *at;
-  const LimitProblem problem =
-      limit_problem(subject_, state, unlimited.tau, unlimited.f, hierarchy_of(real_));
+  const LimitProblem problem = limit_problem(subject_, state, unlimited.tau, unlimited.f,
+                                             hierarchy_of(real_), least_share_of(real_));
   Compared compared;
   compared.irregular = !fits_freedoms(problem, facts_, real_);
   if (compared.irregular) return compared;
@@ -265,9 +271,9 @@ LimitsReport LimitsJudge::judge(const std::vector<StateReference>& references, i
     if (!compared.certified) return;
     report.corrected += compared.corrections > 0 ? 1 : 0;
     errors.push_back(compared.error());
-    report.of_bound =
-        std::max(report.of_bound,
-                 compared.error() / (of_sensitivity(real_) * std::max(1.0, compared.sensitivity)));
+    report.of_bound = std::max(
+        report.of_bound,
+        compared.error() / (of_sensitivity(real_, facts_) * std::max(1.0, compared.sensitivity)));
     for (std::size_t k = 0; k < compared.errors.size(); ++k) {
       report.worst_of[k] = std::max(report.worst_of[k], compared.errors[k]);
     }

@@ -48,14 +48,6 @@ void check_limits(const SceneElement& top, const Robot& robot, const Scene& scen
               "the limits");
     return;
   }
-  if (!scene.inputs.active.empty() || !scene.inputs.active_tasks.empty()) {
-    top.error(
-        fmt::format("{} limits the forces of constraints that are held, and of tasks that are "
-                    "done, all the time, but inputs lists some under active",
-                    key),
-        "remove active, and make a scene for each set of them; or remove the limits");
-    return;
-  }
   for (const Function function : functions_of_limits(scene)) {
     if (has(scene, function)) continue;
     top.error(

@@ -95,6 +95,32 @@ std::string describe_cones(const LimitFacts& facts) {
   return text.empty() ? "No forces are limited." : text;
 }
 
+std::string print_shares(const EmissionContext& context, const Program& supported,
+                         const ShareWords& words) {
+  if (!context.limits->has_shares()) return "";
+  std::string text = fmt::format("{} layout;\n{}take_whole(&{}, &layout);\n", words.type,
+                                 words.scope, words.whole);
+  const std::pair<const char*, const char*> kinds[] = {{"active", "share_supports"},
+                                                       {"active_tasks", "share_tasks"}};
+  const auto address = [&](const std::string& array, const char* first) {
+    return words.by_address ? fmt::format("&{}{}", array, first) : array;
+  };
+  for (const auto& [symbol, function] : kinds) {
+    for (const Argument& argument : supported.arguments) {
+      if (argument.name != symbol) continue;
+      std::string name = argument.name;
+      if (words.of_batch) {
+        name += "_k";
+        text += fmt::format("{0} {1}[{2}];\n{3}take_state({4}, {2}, k, {5});\n",
+                            number_type(context), name, argument.rows, words.scope,
+                            address(argument.name, "[0][0]"), address(name, "[0]"));
+      }
+      text += fmt::format("{}{}({}, &layout);\n", words.scope, function, address(name, "[0]"));
+    }
+  }
+  return text;
+}
+
 std::string print_torque_limits(const LimitFacts& facts, const Syntax& syntax,
                                 const std::string& no_limit, const std::string& no_cones) {
   const auto literal = [&](double x) { return std::isfinite(x) ? syntax.literal(x) : no_limit; };
@@ -111,9 +137,20 @@ std::string print_torque_limits(const LimitFacts& facts, const Syntax& syntax,
 }
 
 std::string print_support_layout(const LimitFacts& facts, const Syntax& syntax) {
-  return fmt::format(
-      "{}, {}", print_numbers(facts.passive, [](int each) { return std::to_string(each); }),
-      print_numbers(facts.force_weights, [&](double x) { return syntax.literal(x); }));
+  const auto integer = [](int each) { return std::to_string(each); };
+  const auto literal = [&](double x) { return syntax.literal(x); };
+  const std::string fixed =
+      print_numbers(facts.passive, integer) + ", " + print_numbers(facts.force_weights, literal);
+  if (!facts.has_shares()) return fixed;
+  const auto ones = [](const std::vector<int>& rows) {
+    return std::vector<double>(std::max<std::size_t>(rows.size(), 1), 1.0);
+  };
+  const auto shares = [&](const std::vector<int>& rows) {
+    return print_numbers(rows.empty() ? std::vector<int>{-1} : rows, integer);
+  };
+  return fmt::format("{}, {}, {}, {}, {}", fixed, shares(facts.held_shares),
+                     shares(facts.task_shares), print_numbers(ones(facts.held_shares), literal),
+                     print_numbers(ones(facts.task_shares), literal));
 }
 
 }  // namespace treeline

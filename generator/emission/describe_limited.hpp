@@ -30,6 +30,19 @@ bool holds_rows(const EmissionContext& context);
 /// Freedoms of torques and internal forces, at least one.
 int count_freedoms(const LimitFacts& facts);
 
+/// How a language writes what `print_shares` prints.
+struct ShareWords {
+  std::string scope;  ///< of functions
+  std::string type, whole;
+  bool by_address = false;  ///< arrays are handed on as `&array[0]`
+  bool of_batch = false;    ///< for state k of several
+};
+
+/// Statements that declare `layout`, the constant one with the shares that the arguments give;
+/// nothing where none come and go.
+std::string print_shares(const EmissionContext& context, const Program& supported,
+                         const ShareWords& words);
+
 /// Lines for comments: the cost of a call, of one for a batch; the cones.
 std::string describe_limited_cost(const EmissionContext& context,
                                   std::span<const Program> programs);

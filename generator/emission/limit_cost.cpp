@@ -13,9 +13,10 @@ int count_values(const LimitFacts& facts, int velocities, int n, int m) {
   const int P = core::one_or(static_cast<int>(facts.passive.size()));
   const int H = core::one_or(static_cast<int>(facts.force_weights.size()));
   const int T = core::one_or(static_cast<int>(facts.task_weights.size()));
-  const int cols = core::in_eights(P + H + T + V);
-  const int coordinates = V * cols + cols + H * n;
-  const int basis = P * P + H * P + H * H;
+  const bool shares = facts.has_shares();
+  const int cols = core::in_eights(P + H + T + V) + (shares ? core::in_eights(H) : 0);
+  const int coordinates = (V + (shares ? H : 0)) * cols + cols + T + H * n;
+  const int basis = P * P + H * P + H * H + (shares ? 2 * (H + T) + P + H : H);
   const int rows = 2 * n + m * n + 2 * m;
   const int method = 2 * n * n + 5 * n + m;
   return coordinates + basis + rows + method + V * V + (H + T) * V + V + H;

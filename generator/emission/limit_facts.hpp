@@ -18,8 +18,12 @@ struct LimitFacts {
   std::vector<double> torque;         ///< by velocity, infinite: no limit
   std::vector<Row> cones;
   std::vector<double> task_weights;  ///< by row of the task
-  int freedoms = 0;                  ///< of torques and internal forces, in ordinary states
-  std::vector<std::string> notes;    ///< lines that describe the cones
+  /// By held row and by row of the task, which share it has; -1: none. Both empty where none has.
+  std::vector<int> held_shares, task_shares;
+  int freedoms = 0;                ///< of torques and internal forces, in ordinary states
+  std::vector<std::string> notes;  ///< lines that describe the cones
+
+  [[nodiscard]] bool has_shares() const { return !held_shares.empty() || !task_shares.empty(); }
 };
 
 }  // namespace treeline

@@ -63,20 +63,28 @@ std::vector<Constant> list_array_sizes(const EmissionContext& context) {
   const Entries entries(context);
   const LimitCost cost = cost_of_limits(*context.limits, context.velocities);
   const int mass_at = entries.passive + entries.held + entries.tasks;
-  const int cols = core::in_eights(mass_at + context.velocities);
+  const int mass_end = core::in_eights(mass_at + context.velocities);
+  // Of shares forces that carry nothing have columns and rows.
+  const bool shares = context.limits->has_shares();
+  const int cols = mass_end + (shares ? core::in_eights(entries.held) : 0);
+  const int table_rows = context.velocities + (shares ? entries.held : 0);
+  const int task_at = entries.passive + entries.held;
   return {{"ALL_ROWS", cost.unknowns + cost.rows, "bounds of unknowns, motors, cones"},
           {"PASSIVE_ENTRIES", entries.passive, "of arrays, which have at least one"},
           {"HELD_ENTRIES", entries.held, ""},
           {"TASK_ENTRIES", entries.tasks, ""},
           {"BASIS_COLS", core::in_eights(entries.passive + entries.held), "in eights"},
-          {"TASK_AT", entries.passive + entries.held, "column of the first task row"},
+          {"TASK_AT", task_at, "column of the first task row"},
           {"MASS_AT", mass_at, "first column of M"},
+          {"MASS_END", mass_end, "in eights"},
+          {"FORCES_AT", mass_end, "first column of forces that carry nothing"},
           {"COLS", cols, "in eights"},
-          {"TABLE_ENTRIES", context.velocities * cols, ""},
-          {"TASK_COLS", entries.tasks + context.velocities, "of task rows and of M"},
+          {"TABLE_ENTRIES", table_rows * cols, ""},
+          {"TASK_COLS", shares ? cols - task_at : entries.tasks + context.velocities,
+           "of task rows and what is behind them"},
           {"FORCE_ENTRIES", entries.held * cost.unknowns, "held rows by unknowns"},
           {"CARRIED_ENTRIES", entries.passive * cost.unknowns, "passive joints by unknowns"},
-          {"MOST_ROWS", std::max(context.velocities, entries.held), "of a table that is reflected"},
+          {"MOST_ROWS", std::max(table_rows, entries.held), "of a table that is reflected"},
           {"MOST_ITERATIONS", core::most_iterations(cost.unknowns, cost.rows), ""}};
 }
 
@@ -104,6 +112,7 @@ Adaptation make_limit_adaptation(const EmissionContext& context) {
   if (!backend.composes_in_headers) own.words["torque_limits"] = context.name + "_limited";
   // square_root.hpp of C++ has the root of any number, and NaN where there is none.
   if (backend.has_references && !context.misra) own.words["tl_root"] = "square_root";
+  own.words["TL_SHARES"] = context.limits->has_shares() ? "1" : "0";
   if (context.batch > 0) own.words["TL_STATES"] = std::to_string(context.batch);
   if (context.single_precision) {
     add_numbers<float>(context, own);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "description/active_rows.hpp"
 #include "generation/describe_scene.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/methods/ordinary_states.hpp"
@@ -134,6 +135,23 @@ void add_task_weights(const Scene& scene, LimitFacts& facts) {
   }
 }
 
+/// Which share each held row and each row of the task has, where some come and go.
+void add_shares(const Scene& scene, LimitFacts& facts) {
+  if (scene.inputs.active.empty() && scene.inputs.active_tasks.empty()) return;
+  facts.held_shares.assign(facts.force_weights.size(), -1);
+  const ActiveRows active = find_active_rows(scene);
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    for (const std::size_t row : active[k]) facts.held_shares[row] = static_cast<int>(k);
+  }
+  const auto& tasks = scene.inputs.active_tasks;
+  for (const ScenePoint& point : scene.operational_points) {
+    const auto named = std::find(tasks.begin(), tasks.end(), point.name);
+    const auto rows = std::count(point.rows.begin(), point.rows.end(), true);
+    facts.task_shares.insert(facts.task_shares.end(), static_cast<std::size_t>(rows),
+                             named == tasks.end() ? -1 : static_cast<int>(named - tasks.begin()));
+  }
+}
+
 /// Values of an argument of constraint_jacobian at coordinates q.
 std::vector<double> value_of(const Argument& argument, const std::vector<double>& q) {
   std::vector<double> values = q;
@@ -191,16 +209,23 @@ LimitFacts describe_limits(const Robot& robot, const Scene& scene, const Mechani
   add_force_weights(scene, facts);
   add_cones(scene, facts);
   add_task_weights(scene, facts);
+  add_shares(scene, facts);
   const int held = static_cast<int>(facts.force_weights.size());
   facts.freedoms = mechanism.nv() - static_cast<int>(facts.passive.size()) + held -
                    held_rank(held_jacobians(mechanism, functions));
   return facts;
 }
 
-void check_normals(const Scene& scene, const Mechanism& mechanism,
-                   const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics) {
-  if (scene.cones.empty()) return;
+void check_held_rows(const Scene& scene, const Mechanism& mechanism,
+                     const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics) {
+  if (!scene.has_limits()) return;
   const std::vector<Rows> jacobians = held_jacobians(mechanism, functions);
+  if (!scene.inputs.active.empty() && held_rank(jacobians) < mechanism.held_rows()) {
+    diagnostics.add({Severity::error, scene.file, 0, "inputs.active",
+                     "rows of constraints depend on each other, so that forces within limits would "
+                     "step when the last of them is held whole",
+                     "Leave out rows that others hold, or remove active or the limits."});
+  }
   for_each_held(scene, [&](const ScenePoint& held, int first) {
     const bool limited =
         std::any_of(scene.cones.begin(), scene.cones.end(),

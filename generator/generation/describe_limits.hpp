@@ -15,7 +15,7 @@ LimitFacts describe_limits(const Robot& robot, const Scene& scene, const Mechani
 
 /// Reports constraints with friction along whose normal nothing can move, as of a wheel under a
 /// base that keeps its height: their normal force would be whatever suits the limits.
-void check_normals(const Scene& scene, const Mechanism& mechanism,
-                   const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics);
+void check_held_rows(const Scene& scene, const Mechanism& mechanism,
+                     const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -134,7 +134,7 @@ std::optional<ChosenFunctions> choose_for_language(const Robot& robot, const Sce
   if (diagnostics.has_errors()) return std::nullopt;
   auto chosen = choose_functions(robot, scene, mechanisms, choices, tell, diagnostics);
   if (!chosen) return std::nullopt;
-  check_normals(scene, chosen->mechanism, chosen->functions, diagnostics);
+  check_held_rows(scene, chosen->mechanism, chosen->functions, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return chosen;
 }

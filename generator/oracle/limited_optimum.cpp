@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/interpret_constraints.hpp"
 #include "oracle/subject_at.hpp"
 
 namespace treeline {
@@ -81,13 +81,19 @@ Matrix50 equations_of_motion(const LimitProblem& problem, const LimitFacts& fact
   return equations;
 }
 
-/// The part of a change of J's entries that keeps all relations between its rows.
-Matrix50 keep_relations(const Matrix50& J, const Matrix50& change) {
-  if (J.size() == 0) return change;
-  Eigen::CompleteOrthogonalDecomposition<Dense50> factors(J.rows(), J.cols());
-  factors.setThreshold(Digits50("1e-20"));
-  factors.compute(Dense50(J));
-  return J * Matrix50(factors.pseudoInverse() * change);
+/// The share of a row, or 1.
+Digits50 share_of(const Vector50& shares, Eigen::Index row) {
+  return shares.size() == 0 ? Digits50(1) : shares(row);
+}
+
+/// Weights of forces, of rows that are held in part less: none of those that are not held.
+Vector50 force_weights(const LimitProblem& problem, const LimitFacts& facts) {
+  Vector50 weights(problem.f.size());
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    const Digits50 share = share_of(problem.held_shares, i);
+    weights(i) = facts.force_weights[static_cast<std::size_t>(i)] * sqrt(share);
+  }
+  return weights;
 }
 
 /// The program in y = (d_qdd, d_f, slack): least 1/2 y^T H y + h^T y with E y = 0 and the limits.
@@ -114,10 +120,18 @@ class DenseProgram {
   }
 
   [[nodiscard]] LimitedOptimum optimum(const LimitSides& sides) const {
-    const Vector50 d_qdd = y_.head(nv_), d_f = y_.segment(nv_, held_);
+    const Vector50 d_qdd = y_.head(nv_);
+    Vector50 d_f = y_.segment(nv_, held_), lost = -(problem_.J_t * d_qdd);
+    // What is not held has no force, and what is not done loses nothing.
+    for (Eigen::Index i = 0; i < held_; ++i) {
+      if (share_of(problem_.held_shares, i) == 0) d_f(i) = 0;
+    }
+    for (Eigen::Index t = 0; t < lost.size(); ++t) {
+      if (share_of(problem_.task_shares, t) == 0) lost(t) = 0;
+    }
     return {Vector50(problem_.tau + problem_.M * d_qdd - problem_.J_s.transpose() * d_f),
             Vector50(problem_.f + d_f),
-            Vector50(-(problem_.J_t * d_qdd)),
+            lost,
             lost_size(d_qdd, d_f),
             y_(size_ - 1),
             0,
@@ -147,10 +161,7 @@ class DenseProgram {
 
 /// The part of d_f over its weights that balances no passive joint.
 Matrix50 DenseProgram::free_forces() const {
-  Vector50 weights(held_);
-  for (Eigen::Index i = 0; i < held_; ++i) {
-    weights(i) = facts_.force_weights[static_cast<std::size_t>(i)];
-  }
+  const Vector50 weights = force_weights(problem_, facts_);
   Matrix50 left = Matrix50::Identity(held_, held_);
   if (!facts_.passive.empty() && held_ > 0) {
     const Dense50 G = weights.asDiagonal() * problem_.J_s(Eigen::all, facts_.passive);
@@ -159,7 +170,9 @@ Matrix50 DenseProgram::free_forces() const {
     factors.compute(G);
     left -= G * factors.pseudoInverse();
   }
-  return left * weights.cwiseInverse().asDiagonal();
+  Vector50 inverse = weights;
+  for (Digits50& each : inverse) each = each == 0 ? Digits50(0) : Digits50(1 / each);
+  return left * inverse.asDiagonal();
 }
 
 /// Size of J_t M^-1 (tau + J_s^T f), whose difference before and after is what the task loses.
@@ -180,7 +193,8 @@ void DenseProgram::set_cost() {
     const Vector50 row = problem_.J_t.row(t).transpose();
     const Digits50 mobility = row.dot(Vector50(M_inverse_ * row));
     if (mobility == 0) continue;
-    const Digits50 weight = k2 * facts_.task_weights[static_cast<std::size_t>(t)] / mobility;
+    const Digits50 done = pow(share_of(problem_.task_shares, t), 8);
+    const Digits50 weight = k2 * done * facts_.task_weights[static_cast<std::size_t>(t)] / mobility;
     H_.topLeftCorner(nv_, nv_) += weight * row * row.transpose();
   }
   const Matrix50 free = free_forces();
@@ -193,7 +207,12 @@ void DenseProgram::set_cost() {
 void DenseProgram::set_equations() {
   const auto passive = static_cast<Eigen::Index>(facts_.passive.size());
   E_ = Matrix50::Zero(held_ + passive, size_);
-  E_.topLeftCorner(held_, nv_) = problem_.J_s;
+  for (Eigen::Index i = 0; i < held_; ++i) {
+    const Digits50 share = share_of(problem_.held_shares, i);
+    const Vector50 row = problem_.J_s.row(i).transpose();
+    E_.row(i).head(nv_) = share * row.transpose();
+    E_(i, nv_ + i) = (1 - share) * row.dot(Vector50(M_inverse_ * row));
+  }
   E_.block(held_, 0, passive, nv_) = problem_.M(facts_.passive, Eigen::all);
   E_.block(held_, nv_, passive, held_) = -problem_.J_s(Eigen::all, facts_.passive).transpose();
 }
@@ -225,14 +244,17 @@ void DenseProgram::set_limits() {
   }
   for (const LimitFacts::Row& cone : facts_.cones) {
     Vector50 row = Vector50::Zero(size_);
-    Digits50 room = cone.bound;
+    const Digits50 share = share_of(problem_.held_shares, cone.first);
+    Digits50 room = share * cone.bound;
     for (std::size_t i = 0; i < cone.coefficients.size(); ++i) {
       const auto force = cone.first + static_cast<Eigen::Index>(i);
       row(nv_ + force) = cone.coefficients[i];
       room -= cone.coefficients[i] * problem_.f(force);
     }
+    const Digits50 narrowed = pow(share, 7);
+    row *= narrowed;
     row(size_ - 1) = -1;
-    add_limit(row, 0, room, false, true);
+    add_limit(row, 0, narrowed * room, false, share > problem_.least_share);
   }
   add_limit(Vector50::Unit(size_, size_ - 1), 0, 0, true, false);
 }
@@ -310,48 +332,20 @@ bool DenseProgram::add_missed(LimitSides& sides) const {
 
 LimitProblem limit_problem(const Subject<Digits50>& subject, const State& state,
                            const std::vector<double>& tau, const std::vector<double>& f,
-                           double hierarchy) {
+                           double hierarchy, double least_share) {
   const SubjectAt<Digits50> at(subject, state);
   const auto q = vector_of<Digits50>(state.q);
+  const auto& tasks = values_of(state, Quantity::active_tasks);
   return {
       interpreter::mass_matrix<Digits50>((*at).model, q),
       interpreter::detail::held_jacobian<Digits50>((*at).model, (*at).constraints, (*at).loops, q),
       interpreter::jacobian<Digits50>((*at).model, (*at).points, q),
       vector_of<Digits50>(tau),
       vector_of<Digits50>(f),
-      hierarchy};
-}
-
-LimitProblem perturbed(const LimitProblem& problem, double unit, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto drawn = [&] {
-    const auto bits = static_cast<double>(engine() >> 11);
-    return Digits50(unit * (bits * 0x1p-52 - 1));
-  };
-  const Eigen::Index nv = problem.M.rows();
-  // In the unit of a velocity by which its inertia is 1.
-  Vector50 scales(nv);
-  for (Eigen::Index v = 0; v < nv; ++v) scales(v) = sqrt(problem.M(v, v));
-  const auto change = [&] {
-    Matrix50 T = Matrix50::Identity(nv, nv);
-    for (Eigen::Index i = 0; i < nv; ++i) {
-      for (Eigen::Index j = 0; j < nv; ++j) T(i, j) += drawn() * scales(j) / scales(i);
-    }
-    return T;
-  };
-  LimitProblem changed = problem;
-  const Matrix50 of_inertia = change();
-  changed.M = of_inertia.transpose() * problem.M * of_inertia;
-  Matrix50 of_entries = problem.J_s;
-  for (Eigen::Index i = 0; i < of_entries.rows(); ++i) {
-    const Digits50 size = largest(problem.J_s.row(i).transpose().cwiseQuotient(scales));
-    for (Eigen::Index v = 0; v < nv; ++v) of_entries(i, v) = drawn() * size * scales(v);
-  }
-  changed.J_s = problem.J_s * change() + keep_relations(problem.J_s, of_entries);
-  changed.J_t = problem.J_t * change();
-  for (Digits50& each : changed.tau) each *= 1 + drawn();
-  for (Digits50& each : changed.f) each *= 1 + drawn();
-  return changed;
+      hierarchy,
+      least_share,
+      held_shares(subject, state),
+      tasks.empty() ? Vector50() : interpreter::task_shares<Digits50>((*at).points).s};
 }
 
 LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& facts,
@@ -362,19 +356,23 @@ LimitedOptimum point_at_limits(const LimitProblem& problem, const LimitFacts& fa
 }
 
 bool fits_freedoms(const LimitProblem& problem, const LimitFacts& facts, Real real) {
-  const auto held = problem.f.size();
   const auto passive = static_cast<Eigen::Index>(facts.passive.size());
-  Matrix50 weighted(held, passive);
-  for (Eigen::Index h = 0; h < held; ++h) {
-    weighted.row(h) =
-        facts.force_weights[static_cast<std::size_t>(h)] * problem.J_s(h, facts.passive);
+  const Vector50 weights = force_weights(problem, facts);
+  const Matrix50 weighted = weights.asDiagonal() * problem.J_s(Eigen::all, facts.passive);
+  // Rows that are held in part are equations of forces too, which depend on no other.
+  std::vector<Eigen::Index> whole;
+  for (Eigen::Index h = 0; h < problem.f.size(); ++h) {
+    if (share_of(problem.held_shares, h) >= 1) whole.push_back(h);
   }
+  LimitProblem held = problem;
+  held.J_s = problem.J_s(whole, Eigen::all);
   const IndependentColumns carried = find_independent(weighted, real);
-  const Matrix50 equations = equations_of_motion(problem, facts, weighted, carried);
+  const Matrix50 equations = equations_of_motion(held, facts, weighted, carried);
+  const auto count = static_cast<Eigen::Index>(whole.size());
   const IndependentColumns all = find_independent(equations, real);
-  const IndependentColumns rows = find_independent(equations.rightCols(held), real);
-  const auto rank = static_cast<Eigen::Index>(rows.independent.size());
-  return problem.M.rows() + held - passive - rank <= facts.freedoms && carried.certain &&
+  const IndependentColumns rows = find_independent(equations.rightCols(count), real);
+  const auto dependent = static_cast<Eigen::Index>(rows.dependent.size());
+  return problem.M.rows() - passive + dependent <= facts.freedoms && carried.certain &&
          all.certain && rows.certain;
 }
 

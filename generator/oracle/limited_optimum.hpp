@@ -18,13 +18,16 @@ namespace treeline {
 struct LimitProblem {
   interpreter::Matrix<Digits50> M, J_s, J_t;
   interpreter::Vector<Digits50> tau, f;
-  double hierarchy = 1;  ///< k of the cost
+  double hierarchy = 1;    ///< k of the cost
+  double least_share = 0;  ///< to which supports must be held to have cones
+  /// To which held rows are held and task rows are done; empty: 1.
+  interpreter::Vector<Digits50> held_shares = {}, task_shares = {};
 };
 
 /// The problem at a state; `tau` and `f` as the generated code has computed them.
 LimitProblem limit_problem(const Subject<Digits50>& subject, const State& state,
                            const std::vector<double>& tau, const std::vector<double>& f,
-                           double hierarchy);
+                           double hierarchy, double least_share);
 
 /// Which side of a limit is reached: -1 the lower, 1 the upper, 0 none. Limits are those of motors
 /// in the order of velocities, of cones, and the least slack, 0.

@@ -84,6 +84,7 @@ struct ProgramSizes : LimitSizes<1, 0, 0, 0, 0, 1> {
 
 #define TL_INLINE static inline
 #define TL_FUNCTION static
+#define TL_SHARES 1
 
 /// Everything of runtime/emitted/limited_torque.h.
 template <class Number, class Sizes, int states = 1>
@@ -104,13 +105,15 @@ struct EmittedLimits {
                            TL_BASIS_COLS = in_eights(TL_PASSIVE_ENTRIES + TL_HELD_ENTRIES),
                            TL_TASK_AT = TL_PASSIVE_ENTRIES + TL_HELD_ENTRIES,
                            TL_MASS_AT = TL_TASK_AT + TL_TASK_ENTRIES,
-                           TL_COLS = in_eights(TL_MASS_AT + TL_VELOCITIES),
-                           TL_TABLE_ENTRIES = TL_VELOCITIES * TL_COLS,
-                           TL_TASK_COLS = TL_TASK_ENTRIES + TL_VELOCITIES,
+                           TL_MASS_END = in_eights(TL_MASS_AT + TL_VELOCITIES),
+                           TL_FORCES_AT = TL_MASS_END,
+                           TL_COLS = TL_MASS_END + in_eights(TL_HELD_ENTRIES),
+                           TL_TABLE_ROWS = TL_VELOCITIES + TL_HELD_ENTRIES,
+                           TL_TABLE_ENTRIES = TL_TABLE_ROWS * TL_COLS,
+                           TL_TASK_COLS = TL_COLS - TL_TASK_AT,
                            TL_FORCE_ENTRIES = TL_HELD_ENTRIES * TL_UNKNOWNS,
                            TL_CARRIED_ENTRIES = TL_PASSIVE_ENTRIES * TL_UNKNOWNS,
-                           TL_MOST_ROWS =
-                               TL_VELOCITIES > TL_HELD_ENTRIES ? TL_VELOCITIES : TL_HELD_ENTRIES,
+                           TL_MOST_ROWS = TL_TABLE_ROWS,
                            TL_MOST_ITERATIONS = most_iterations(TL_UNKNOWNS, TL_LIMIT_ROWS),
                            TL_STATES = states;
   static constexpr auto TL_SOLVED = static_cast<int32_t>(QuadraticStatus::solved),
@@ -135,6 +138,7 @@ struct EmittedLimits {
 
 #undef TL_INLINE
 #undef TL_FUNCTION
+#undef TL_SHARES
 
 }  // namespace treeline::core
 

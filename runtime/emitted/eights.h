@@ -66,18 +66,18 @@ TL_INLINE TREELINE_IN_PLACE void tl_reflect_registers(const real* v,
   }
 }
 
-/// Subtracts the product of `along` and v^T W from the columns of W from `begin` on,
-/// from row `at` on. Sixteen columns at once where there are vectors; elsewhere it
-/// would only be longer.
+/// Subtracts the product of `along` and v^T W from the columns of W from `begin` to
+/// `end`, from row `at` on. Sixteen columns at once where there are vectors;
+/// elsewhere it would only be longer.
 TL_INLINE void tl_reflect_columns(const real* v, const real* along, int32_t at,
-    int32_t rows, int32_t begin, int32_t cols, real* W) {
+    int32_t rows, int32_t begin, int32_t end, int32_t cols, real* W) {
   int32_t j = begin;
 #if TREELINE_REGISTER_BYTES > 0
-  for (; (j + 16) <= cols; j += 16) {
+  for (; (j + 16) <= end; j += 16) {
     tl_reflect_registers(v, along, at, rows, cols, 2 * TL_REGISTERS, &W[j]);
   }
 #endif
-  for (; j < cols; j += 8) {
+  for (; j < end; j += 8) {
     tl_reflect_registers(v, along, at, rows, cols, TL_REGISTERS, &W[j]);
   }
 }

@@ -63,22 +63,22 @@ TL_INLINE void tl_subtract_rows(const real* factors, const real* columns,
 }
 
 /// Subtracts the product of `along` and the sum of rows `at` to `rows` of W, each
-/// times its entry of v, from the columns from `begin` on: W - along (v^T W).
+/// times its entry of v, from the columns `begin` to `end`: W - along (v^T W).
 TL_INLINE void tl_reflect_columns(const real* v, const real* along, int32_t at,
-    int32_t rows, int32_t begin, int32_t cols, real* W) {
+    int32_t rows, int32_t begin, int32_t end, int32_t cols, real* W) {
   real sums[TL_COLS];
-  for (int32_t j = begin; j < cols; ++j) {
+  for (int32_t j = begin; j < end; ++j) {
     sums[j] = TL_ZERO;
   }
   for (int32_t i = at; i < rows; ++i) {
     const real factor = v[i];
-    for (int32_t j = begin; j < cols; ++j) {
+    for (int32_t j = begin; j < end; ++j) {
       sums[j] += factor * W[(i * cols) + j];
     }
   }
   for (int32_t i = at; i < rows; ++i) {
     const real factor = along[i];
-    for (int32_t j = begin; j < cols; ++j) {
+    for (int32_t j = begin; j < end; ++j) {
       W[(i * cols) + j] -= factor * sums[j];
     }
   }

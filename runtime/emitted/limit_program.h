@@ -7,13 +7,17 @@
 #include "torque_limits.h"
 
 /// The program of least distance at one state. Columns of W: rows by which passive
-/// joints depend on each other, held rows, task rows, M.
+/// joints depend on each other, held rows, task rows, M, and of shares those forces
+/// that carry nothing, which then have rows behind those of velocities.
 struct TlLimitProgram {
   real W[TL_TABLE_ENTRIES];
+  int32_t used_rows;  // of W
+  int32_t used_cols;
   real squares[TL_COLS];  // of columns, before reflections
   real heaviest;  // of the diagonal of M
   int32_t held;  // ranks of the rows of constraints, and of the task besides
   int32_t task;
+  real weights[TL_TASK_ENTRIES];  // of task rows; 0 of those that are not done
   TlForceBasis basis;
   real forces[TL_FORCE_ENTRIES];  // d_f by unknowns
   real slack;  // N, per unit of the last unknown
@@ -37,11 +41,11 @@ TL_INLINE void tl_factor_mass(TlLimitProgram* program, const real* M) {
     for (int32_t j = k; j < TL_VELOCITIES; ++j) {
       row[TL_MASS_AT + j] = M[(k * TL_VELOCITIES) + j];
     }
-    for (int32_t j = first; j < TL_COLS; j += 8) {
+    for (int32_t j = first; j < TL_MASS_END; j += 8) {
       tl_subtract_rows(&program->W[diagonal], &program->W[j], TL_COLS, k, &row[j]);
     }
     const real inverse = TL_ONE / tl_root(row[diagonal]);
-    for (int32_t j = first; j < TL_COLS; ++j) {
+    for (int32_t j = first; j < TL_MASS_END; ++j) {
       row[j] = (j < diagonal) ? TL_ZERO : (row[j] * inverse);
     }
   }
@@ -93,14 +97,71 @@ TL_INLINE void tl_relate_passive(
   }
 }
 
+#if TL_SHARES
+/// The equation of a row that is held to the share w, w J d_qdd + (1 - w) Lambda^-1
+/// d_f = 0, Lambda^-1 its own entry, in motions and in forces that carry nothing. Of
+/// a row that is not held none is left.
+TL_INLINE void tl_yield_row(
+    TlLimitProgram* program, const TlSupportLayout* layout, int32_t h) {
+  const TlForceBasis* const basis = &program->basis;
+  const real share = layout->shares[h];
+  const real size = TL_HIERARCHY * tl_root(program->heaviest);
+  real mobility = TL_ZERO;
+  for (int32_t k = 0; k < TL_VELOCITIES; ++k) {
+    const real along = program->W[(k * TL_COLS) + TL_PASSIVE_ENTRIES + h];
+    mobility += along * along;
+  }
+  const real yields = (TL_ONE - share) * mobility;
+  for (int32_t k = 0; k < TL_VELOCITIES; ++k) {
+    real* const row = &program->W[k * TL_COLS];
+    real force = TL_ZERO;
+    for (int32_t r = 0; r < basis->rank; ++r) {
+      force += basis->carry[(h * TL_PASSIVE_ENTRIES) + r] *
+          row[TL_MASS_AT + layout->passive[basis->carried[r]]];
+    }
+    row[TL_PASSIVE_ENTRIES + h] =
+        (share * row[TL_PASSIVE_ENTRIES + h]) + (yields * force);
+  }
+  for (int32_t k = TL_VELOCITIES; k < program->used_rows; ++k) {
+    program->W[(k * TL_COLS) + TL_PASSIVE_ENTRIES + h] =
+        yields * size * basis->unbound[(h * TL_HELD_ENTRIES) + k - TL_VELOCITIES];
+  }
+}
+
+/// Where rows are held in part, forces that carry nothing move them: they become
+/// entries beside those of velocities.
+TL_INLINE void tl_yield(const TlSupportLayout* layout, TlLimitProgram* program) {
+  const TlForceBasis* const basis = &program->basis;
+  bool whole = true;
+  for (int32_t i = 0; i < basis->present; ++i) {
+    whole = whole && (layout->shares[basis->order[i]] >= TL_ONE);
+  }
+  if (!whole) {
+    program->used_rows = TL_VELOCITIES + basis->present - basis->rank;
+    program->used_cols = TL_COLS;
+  }
+  for (int32_t k = TL_VELOCITIES; k < program->used_rows; ++k) {
+    real* const row = &program->W[k * TL_COLS];
+    for (int32_t j = 0; j < TL_COLS; ++j) {
+      row[j] = TL_ZERO;
+    }
+    row[TL_FORCES_AT + k - TL_VELOCITIES] = TL_ONE;
+  }
+  for (int32_t h = 0; h < TL_HELD_ROWS; ++h) {
+    if (!(layout->shares[h] >= TL_ONE)) {
+      tl_yield_row(program, layout, h);
+    }
+  }
+}
+
+#endif
 /// K K^T = 1 + k^2 R D R^T of the task's rows, K in the lower triangle.
-TL_INLINE void tl_weigh_rows(
-    const TlLimitProgram* program, const real* weights, real* K) {
+TL_INLINE void tl_weigh_rows(const TlLimitProgram* program, real* K) {
   real scales[TL_TASK_ENTRIES];
   for (int32_t t = 0; t < TL_TASK_ENTRIES; ++t) {
     const real square = program->squares[TL_TASK_AT + t];
     scales[t] = (square > TL_ZERO)
-        ? (weights[t] * TL_HIERARCHY * TL_HIERARCHY / square)
+        ? (program->weights[t] * TL_HIERARCHY * TL_HIERARCHY / square)
         : TL_ZERO;
   }
   for (int32_t i = 0; i < program->task; ++i) {
@@ -130,9 +191,9 @@ TL_INLINE void tl_weigh_rows(
 
 /// Unknowns of the task such that their squares are its cost: its rows become K^-1
 /// times what they are.
-TL_INLINE void tl_weigh_task(TlLimitProgram* program, const real* weights) {
+TL_INLINE void tl_weigh_task(TlLimitProgram* program) {
   real K[TL_TASK_ENTRIES * TL_TASK_ENTRIES];
-  tl_weigh_rows(program, weights, &K[0]);
+  tl_weigh_rows(program, &K[0]);
   for (int32_t i = 0; i < program->task; ++i) {
     real* const place = &program->W[((program->held + i) * TL_COLS) + TL_TASK_AT];
     real row[TL_TASK_COLS];
@@ -155,11 +216,11 @@ TL_INLINE void tl_weigh_task(TlLimitProgram* program, const real* weights) {
 }
 
 /// Reflects so that equations concern the first entries only, tasks the next.
-TL_INLINE void tl_reduce(TlLimitProgram* program, const real* weights) {
+TL_INLINE void tl_reduce(TlLimitProgram* program) {
   for (int32_t j = 0; j < TL_COLS; ++j) {
     program->squares[j] = TL_ZERO;
   }
-  for (int32_t k = 0; k < TL_VELOCITIES; ++k) {
+  for (int32_t k = 0; k < program->used_rows; ++k) {
     const real* const row = &program->W[k * TL_COLS];
     for (int32_t j = 0; j < TL_MASS_AT; ++j) {
       program->squares[j] += row[j] * row[j];
@@ -170,7 +231,11 @@ TL_INLINE void tl_reduce(TlLimitProgram* program, const real* weights) {
   for (int32_t j = 0; j < TL_MASS_AT; ++j) {
     const int32_t at = program->held + program->task;
     const real least = TL_RANK_TOLERANCE * tl_root(program->squares[j]);
-    if (tl_reflect_rows(&program->W[0], TL_VELOCITIES, TL_COLS, at, j, least)) {
+    const bool counts =
+        (j < TL_TASK_AT) || (program->weights[j - TL_TASK_AT] > TL_ZERO);
+    if (counts &&
+        tl_reflect_rows(&program->W[0], program->used_rows, TL_COLS,
+            program->used_cols, at, j, least)) {
       if (j < TL_TASK_AT) {
         ++program->held;
       } else {
@@ -178,14 +243,14 @@ TL_INLINE void tl_reduce(TlLimitProgram* program, const real* weights) {
       }
     }
   }
-  tl_weigh_task(program, weights);
+  tl_weigh_task(program);
 }
 
 /// M d_qdd at a velocity, by unknowns. Freedoms beyond those of ordinary states are
 /// left alone.
 TL_INLINE void tl_read_column(
     const TlLimitProgram* program, int32_t velocity, real* column) {
-  const int32_t most = TL_VELOCITIES - program->held;
+  const int32_t most = program->used_rows - program->held;
   const int32_t moving = (most < TL_FREEDOMS) ? most : TL_FREEDOMS;
   for (int32_t n = 0; n < TL_UNKNOWNS; ++n) {
     column[n] = TL_ZERO;
@@ -195,12 +260,27 @@ TL_INLINE void tl_read_column(
   }
 }
 
+/// `force` times what carries nothing number k, by unknowns.
+TL_INLINE void tl_add_unbound(
+    const TlLimitProgram* program, int32_t k, real force, real* row) {
+  const int32_t moving = program->used_rows - program->held;
+  if (program->used_rows > TL_VELOCITIES) {
+    for (int32_t n = 0; (n < moving) && (n < TL_FREEDOMS); ++n) {
+      row[n] +=
+          force * program->W[((program->held + n) * TL_COLS) + TL_FORCES_AT + k];
+    }
+  } else if ((moving + k) < TL_FREEDOMS) {
+    row[moving + k] = force;
+  } else {
+    // It is none of the freedoms in ordinary states.
+  }
+}
+
 /// d_f by unknowns: those that balance a motion, then those that carry nothing, then
 /// the slack.
 TL_INLINE void tl_form_forces(
     const TlSupportLayout* layout, TlLimitProgram* program) {
   const TlForceBasis* const basis = &program->basis;
-  const int32_t moving = TL_VELOCITIES - program->held;
   const real size = TL_HIERARCHY * tl_root(program->heaviest);
   real carried[TL_CARRIED_ENTRIES];
   for (int32_t r = 0; r < basis->rank; ++r) {
@@ -218,10 +298,9 @@ TL_INLINE void tl_form_forces(
         row[n] += factor * carried[(r * TL_UNKNOWNS) + n];
       }
     }
-    for (int32_t k = 0; k < (TL_HELD_ROWS - basis->rank); ++k) {
-      if ((moving + k) < TL_FREEDOMS) {
-        row[moving + k] = size * basis->unbound[(h * TL_HELD_ENTRIES) + k];
-      }
+    for (int32_t k = 0; k < (basis->present - basis->rank); ++k) {
+      const real force = size * basis->unbound[(h * TL_HELD_ENTRIES) + k];
+      tl_add_unbound(program, k, force, row);
     }
   }
 }
@@ -229,10 +308,21 @@ TL_INLINE void tl_form_forces(
 /// Coordinates of all changes that keep the equations.
 TL_INLINE void tl_set_up(const TlSupportLayout* layout, TlLimitProgram* program,
     const TlTorqueLimits* limits, const real* M, const real* J_s, const real* J_t) {
+  program->used_rows = TL_VELOCITIES;
+  program->used_cols = TL_MASS_END;
+  for (int32_t t = 0; t < TL_TASK_ENTRIES; ++t) {
+    program->weights[t] = limits->task_weights[t];
+    if (TL_SHARES) {
+      program->weights[t] *= layout->task_weights[t];
+    }
+  }
   tl_find_force_basis(layout, J_s, &program->basis);
   tl_factor_mass(program, M);
   tl_whiten(program, J_s, J_t);
   tl_relate_passive(layout, program);
-  tl_reduce(program, &limits->task_weights[0]);
+  if (TL_SHARES) {
+    tl_yield(layout, program);
+  }
+  tl_reduce(program);
   tl_form_forces(layout, program);
 }

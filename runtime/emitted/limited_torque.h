@@ -40,6 +40,70 @@ TL_INLINE void tl_copy_row(const real* from, real* to) {
   }
 }
 
+#if TL_SHARES
+/// The layout with every row whole.
+TL_INLINE void tl_take_whole(const TlSupportLayout* whole, TlSupportLayout* layout) {
+  for (int32_t j = 0; j < TL_PASSIVE_ENTRIES; ++j) {
+    layout->passive[j] = whole->passive[j];
+  }
+  for (int32_t h = 0; h < TL_HELD_ENTRIES; ++h) {
+    layout->force_weights[h] = whole->force_weights[h];
+    layout->share_of[h] = whole->share_of[h];
+    layout->shares[h] = TL_ONE;
+  }
+  for (int32_t t = 0; t < TL_TASK_ENTRIES; ++t) {
+    layout->share_of_task[t] = whole->share_of_task[t];
+    layout->task_weights[t] = TL_ONE;
+  }
+}
+
+/// Bounds of cones are those of supports that are held whole, times their share.
+TL_INLINE real tl_bound_of(const TlSupportLayout* layout, const TlConeRow* cone) {
+  return layout->shares[cone->first] * cone->bound;
+}
+
+/// The row of a cone of a support held to the share w, which is widened w^-7 times as
+/// much as others: forces there are w-fold, and their cone must not rule the motion
+/// to the last. Where it all but depends on the bound of the slack it is left out.
+TL_INLINE void tl_share_cone(const TlSupportLayout* layout, TlLimitProgram* program,
+    const TlConeRow* cone, int32_t row) {
+  const real share = layout->shares[cone->first];
+  const real square = share * share;
+  const real scale = (square * square) * (square * share);
+  const real room =
+      program->rows.upper[row] - (cone->bound - tl_bound_of(layout, cone));
+  for (int32_t n = 0; n < TL_FREEDOMS; ++n) {
+    program->rows.A[(row * TL_UNKNOWNS) + n] *= scale;
+  }
+  const bool counts = scale > TL_DEPENDENT;
+  program->rows.upper[row] = counts ? (scale * room) : TL_NO_LIMIT;
+}
+
+/// Rows held to the shares `active`, or whole: forces that are held less give way
+/// first, and vanish with their shares.
+TL_INLINE void tl_share_supports(const real* active, TlSupportLayout* layout) {
+  for (int32_t h = 0; h < TL_HELD_ENTRIES; ++h) {
+    const int32_t of = layout->share_of[h];
+    if (of >= 0) {
+      layout->shares[h] = (active[of] > TL_ZERO) ? active[of] : TL_ZERO;
+      layout->force_weights[h] *= tl_root(layout->shares[h]);
+    }
+  }
+}
+
+/// Tasks done to the shares `active`, which weigh s^8 of those that are done whole:
+/// from level to level of the cost in steps that no share takes at once.
+TL_INLINE void tl_share_tasks(const real* active, TlSupportLayout* layout) {
+  for (int32_t t = 0; t < TL_TASK_ENTRIES; ++t) {
+    const int32_t of = layout->share_of_task[t];
+    if (of >= 0) {
+      const real square = active[of] * active[of];
+      layout->task_weights[t] = (square * square) * (square * square);
+    }
+  }
+}
+
+#endif
 /// Rows of cones, and the slack with its penalty c s + c / (2 m g) s^2: c is above
 /// any multiplier of the rows that costs of the task give rise to, per N.
 TL_INLINE void tl_add_cones(
@@ -97,6 +161,11 @@ TL_INLINE void tl_limit_rows(const TlSupportLayout* layout, TlLimitProgram* prog
     }
   }
   tl_add_cones(program, limits, f);
+  if (TL_SHARES) {
+    for (int32_t c = 0; c < TL_CONES; ++c) {
+      tl_share_cone(layout, program, &limits->cones[c], TL_MOTORS + c);
+    }
+  }
 }
 
 /// tau and f with their changes, and torques within their limits to the last bit.
@@ -120,8 +189,9 @@ TL_INLINE void tl_solve_program(const TlSupportLayout* layout,
   for (int32_t t = 0; t < TL_TASK_ENTRIES; ++t) {
     result->lost[t] = TL_ZERO;
     for (int32_t i = 0; i < program->task; ++i) {
-      result->lost[t] -=
-          program->W[((program->held + i) * TL_COLS) + TL_TASK_AT + t] * set->x[i];
+      result->lost[t] -= (program->weights[t] > TL_ZERO)
+          ? (program->W[((program->held + i) * TL_COLS) + TL_TASK_AT + t] * set->x[i])
+          : TL_ZERO;
     }
   }
   for (int32_t h = 0; h < TL_HELD_ROWS; ++h) {
@@ -139,6 +209,9 @@ TL_INLINE void tl_solve_program(const TlSupportLayout* layout,
 
 /// Whether all that can be limited is within its limits, but for rounding of cones.
 TL_INLINE bool tl_is_within(
+#if TL_SHARES
+    const TlSupportLayout* layout,
+#endif
     const TlTorqueLimits* limits, const real* tau, const real* f) {
   bool within = true;
   for (int32_t v = 0; v < TL_VELOCITIES; ++v) {
@@ -151,7 +224,11 @@ TL_INLINE bool tl_is_within(
     for (int32_t k = 0; k < cone->count; ++k) {
       value += cone->coefficients[k] * f[cone->first + k];
     }
+#if TL_SHARES
+    within = within && (value <= tl_bound_of(layout, cone));
+#else
     within = within && (value <= cone->bound);
+#endif
   }
   return within;
 }

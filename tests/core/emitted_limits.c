@@ -6,6 +6,7 @@
 
 #define TL_INLINE static inline
 #define TL_FUNCTION static
+#define TL_SHARES 1
 #define TL_ZERO 0.0
 #define TL_ONE 1.0
 #define TL_TEN 10.0
@@ -39,12 +40,14 @@ enum {
   TL_BASIS_COLS = 8,
   TL_TASK_AT = 7,
   TL_MASS_AT = 10,
-  TL_COLS = 24,
-  TL_TABLE_ENTRIES = 9 * 24,
-  TL_TASK_COLS = 12,
+  TL_MASS_END = 24,
+  TL_FORCES_AT = 24,
+  TL_COLS = 32,
+  TL_TABLE_ENTRIES = 13 * 32,
+  TL_TASK_COLS = 25,
   TL_FORCE_ENTRIES = 32,
   TL_CARRIED_ENTRIES = 24,
-  TL_MOST_ROWS = 9,
+  TL_MOST_ROWS = 13,
   TL_MOST_ITERATIONS = 72
 };
 enum { TL_SOLVED, TL_CONFLICTING, TL_LIMIT, TL_NOT_CONVEX };
@@ -61,7 +64,7 @@ enum { TL_FRACTION_BITS = 52, TL_SIGN_AT = 63, TL_BIAS = 1023 };
 
 void limit_torque_in_c(const void* layout, const void* limits, const double* M, const double* J_s,
                        const double* J_t, double* tau, double* f, void* result) {
-  if (tl_is_within(limits, tau, f)) {
+  if (tl_is_within(layout, limits, tau, f)) {
     tl_report_unlimited(result);
   } else {
     tl_limit_torque(layout, limits, M, J_s, J_t, tau, f, result);

@@ -149,11 +149,6 @@ TEST(ReadInputs, SaysWhatIsWrong) {
        {Severity::error, 2, "inputs/active[1]", "\"foot\" is listed twice", "once"}},
       {kFoot + "operational_points: [{name: foot, link: tool}]\ninputs: {active: foot}",
        {Severity::error, 3, "inputs/active", "both a constraint and", "another name"}},
-      {kFoot + "inputs: {active: foot}\ntorque_limits: {shoulder: 10}",
-       {Severity::error, 1, "", "all the time", "for each set"}},
-      {kFoot + "operational_points: [{name: a, link: tool}]\ninputs: {active: a}\n"
-               "torque_limits: {shoulder: 10}",
-       {Severity::error, 1, "", "all the time", "for each set"}},
       {kPoints + "inputs: {active: a}\ndamped: {mass: 40, inertia: 4}",
        {Severity::error, 1, "", "damped does every task all the time", "for each set"}},
       {kFoot + "inputs: {active: foot}\nfunctions: [constraint_jacobian]",

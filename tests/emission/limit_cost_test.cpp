@@ -17,6 +17,8 @@ TEST(LimitCost, CountsWhatTheMethodPutsOnTheStack) {
   facts.task_weights.resize(T);
   facts.cones.resize(C);
   facts.freedoms = F;
+  facts.held_shares.assign(H, -1);  // the test's headers know shares
+  facts.task_shares.assign(T, -1);
   const LimitCost cost = cost_of_limits(facts, V);
   ASSERT_EQ(cost.unknowns, Sizes::kUnknowns);
   ASSERT_EQ(cost.rows, Sizes::kRows);
