@@ -93,6 +93,8 @@ class Trotting {
     figures.height = std::max(figures.height, std::fabs(command.away[2]));
     figures.away = std::max(figures.away, std::hypot(command.away[0], command.away[1]));
     figures.swing_error = std::max(figures.swing_error, command.swing_error);
+    figures.beyond_in_part = std::max(figures.beyond_in_part, command.beyond_in_part);
+    if (cycles_ > 0) figures.torque_step = std::max(figures.torque_step, command.torque_step);
     figures.way = state.q[0] - start_.q[0];
     figures.aside = state.q[1] - start_.q[1];
     figures.end_speed = 0.0;

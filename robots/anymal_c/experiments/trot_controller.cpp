@@ -13,7 +13,8 @@ namespace {
 
 namespace robot = anymal_simulated;
 constexpr int kRates = TrotController::kRates;
-constexpr double kDiagonal = 0.65;  ///< of the scenes' task axes, rad
+constexpr double kDiagonal = 0.65;   ///< of the scenes' task axes, rad
+constexpr double kLeastLoad = 20.0;  ///< of a foot that is held, beside 5 N of the scene, N
 constexpr core::Gains<double> kBody{150.0, 24.0}, kTurn{300.0, 34.0}, kSwing{1600.0, 80.0};
 
 void rotation_of(const AnymalState& state, double (&R)[9]) noexcept {
@@ -29,21 +30,11 @@ void turn(const double (&R)[9], const double* u, bool back, double (&v)[3]) noex
   }
 }
 
-/// Turns the horizontal part of accelerations, linear over angular, into axes turned by `angle`.
-void turn_axes(double angle, double (&xdd)[6]) noexcept {
-  const double c = std::cos(angle), s = std::sin(angle);
-  for (double* part : {xdd, xdd + 3}) {
-    const double x = part[0], y = part[1];
-    part[0] = c * x + s * y;
-    part[1] = c * y - s * x;
-  }
-}
-
 }  // namespace
 
 double weight_of_anymal() noexcept {
   double M[kRates * kRates];
-  anymal_stand::mass_matrix(robot::kHome, M);
+  anymal_trot::mass_matrix(robot::kHome, M);
   return 9.81 * M[0];
 }
 
@@ -146,54 +137,37 @@ double TrotController::wanted_load(int foot) const noexcept {
   return weight_ * ((1.0 - done) * share_at(phase.step - 1) + done * share_at(phase.step));
 }
 
-/// Calls the law of one scene and says what it came to.
-template <int held, class Law, class Limits, class Limited, int rows>
-void TrotController::obey(const Law& law, const Limits& limits, Limited& limited,
-                          const double (&xdd)[rows], const AnymalState& state,
+/// Feet that swing have paths, others are held. On two feet the body is led along the line between
+/// them alone.
+void TrotController::obey(const double (&xdd)[anymal_trot::kTaskRows], const AnymalState& state,
                           double (&tau)[kRates]) noexcept {
   const double qdd_0[kRates] = {};
-  double f_wanted[held] = {};
-  double f[held];
-  int at = 0;
+  double held[kFeet], done[2 + kFeet], f_wanted[3 * kFeet] = {}, f[3 * kFeet];
+  done[0] = led_share(plan_, command_.phase, Support::left);
+  done[1] = led_share(plan_, command_.phase, Support::right);
+  anymal_trot::TorqueLimits limits = anymal_trot::kTorqueLimits;
   for (int foot = 0; foot < kFeet; ++foot) {
-    if (carries(command_.phase.support, foot)) f_wanted[3 * at++ + 2] = wanted_load(foot);
+    held[foot] = held_share(plan_, command_.phase, foot);
+    done[2 + foot] = 1.0 - held[foot];
+    f_wanted[3 * foot + 2] = std::max(kLeastLoad, wanted_load(foot));
   }
-  law(state.q, state.qd, qdd_0, xdd, f_wanted, tau, f, limited, limits);
-  command_.within = limit_figures(tau, robot::kEffortLimits, f, limits, limited);
-}
-
-void TrotController::stand(const double (&body)[6], const AnymalState& state,
-                           double (&tau)[kRates]) noexcept {
-  const auto law = [](auto&... arguments) noexcept {
-    anymal_stand::limited_control_torque(arguments...);
-  };
-  obey<12>(law, anymal_stand::kTorqueLimits, on_all_, body, state, tau);
-}
-
-/// Two feet carry, and the other two follow their paths. Across the line between feet that carry
-/// nothing is asked of the body.
-void TrotController::swing(double (&body)[6], const Vectors& x, const Vectors& v,
-                           const AnymalState& state, double (&tau)[kRates]) noexcept {
-  const bool on_left = command_.phase.support == Support::left;
-  turn_axes(on_left ? kDiagonal : -kDiagonal, body);
-  double xdd[11] = {body[0], body[2], body[3], body[4], body[5]};
-  double* next = xdd + 5;
-  command_.swing_error = 0.0;
-  for (int foot = 0; foot < kFeet; ++foot) {
-    if (carries(command_.phase.support, foot)) continue;
-    ask_foot(foot, command_.phase.since, x, v, next);
-    next += 3;
+  anymal_trot::limited_control_torque(state.q, state.qd, qdd_0, xdd, f_wanted, done, held, tau, f,
+                                      limited_, limits);
+  command_.beyond_in_part = 0.0;
+  for (auto& cone : limits.cones) {
+    const double share = held[cone.first / 3];
+    if (share == 1.0) continue;
+    double value = -share * cone.bound;
+    for (int k = 0; k < cone.count; ++k) value += cone.coefficients[k] * f[cone.first + k];
+    command_.beyond_in_part = std::max(command_.beyond_in_part, value);
+    cone.bound = 1e30;
   }
-  if (on_left) {
-    const auto law = [](auto&... arguments) noexcept {
-      anymal_left::limited_control_torque(arguments...);
-    };
-    obey<6>(law, anymal_left::kTorqueLimits, on_left_, xdd, state, tau);
-  } else {
-    const auto law = [](auto&... arguments) noexcept {
-      anymal_right::limited_control_torque(arguments...);
-    };
-    obey<6>(law, anymal_right::kTorqueLimits, on_right_, xdd, state, tau);
+  command_.within = limit_figures(tau, robot::kEffortLimits, f, limits, limited_);
+  if (command_.beyond_in_part > 0.0) command_.within.slack = 0.0;  // other cones are not widened
+  command_.torque_step = 0.0;
+  for (int v = 0; v < kRates; ++v) {
+    command_.torque_step = std::max(command_.torque_step, std::fabs(tau[v] - last_tau_[v]));
+    last_tau_[v] = tau[v];
   }
 }
 
@@ -203,14 +177,19 @@ void TrotController::control(double time, const AnymalState& state,
   command_.phase = phase_at(plan_, since);
   double body[6];
   ask_body(since, state, body);
-  if (command_.phase.support == Support::all) {
-    stand(body, state, tau);
-    return;
-  }
+  const double c = std::cos(kDiagonal), s = std::sin(kDiagonal);
+  double xdd[anymal_trot::kTaskRows] = {
+      body[2], body[3], body[4], body[5], c * body[0] + s * body[1], c * body[0] - s * body[1]};
   Vectors x, v;
   AnymalOnFeet::ground_points(state.q, state.qd, x, v);
-  if (planned_step_ != command_.phase.step) plan_swing(since, x);
-  swing(body, x, v, state, tau);
+  const bool swings = command_.phase.support != Support::all;
+  if (swings && planned_step_ != command_.phase.step) plan_swing(since, x);
+  command_.swing_error = 0.0;
+  for (int foot = 0; swings && foot < kFeet; ++foot) {
+    if (carries(command_.phase.support, foot)) continue;
+    ask_foot(foot, command_.phase.since, x, v, xdd + 6 + 3 * foot);
+  }
+  obey(xdd, state, tau);
 }
 
 }  // namespace treeline::experiments

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "anymal_left_limited.hpp"
 #include "anymal_on_feet.hpp"
-#include "anymal_right_limited.hpp"
-#include "anymal_stand_limited.hpp"
+#include "anymal_trot_limited.hpp"
 #include "command_line/limit_figures.hpp"
 #include "core/spline.hpp"
 #include "servo/message.hpp"
@@ -17,14 +15,15 @@ double weight_of_anymal() noexcept;
 /// What a cycle of the controller came to.
 struct TrotCommand {
   TrotPhase phase;
-  LimitFigures within;       ///< torques and forces
-  double away[3] = {};       ///< of the body from its path, m
-  double swing_error = 0.0;  ///< largest distance of a swinging foot from its path, m
+  LimitFigures within;          ///< torques and forces
+  double away[3] = {};          ///< of the body from its path, m
+  double swing_error = 0.0;     ///< largest distance of a swinging foot from its path, m
+  double beyond_in_part = 0.0;  ///< most by which a foot held in part is beyond its cone, N
+  double torque_step = 0.0;     ///< largest change of a torque since the last cycle, N m
 };
 
-/// Trots by `limited_control_torque` of three scenes: one for four feet that stand, and one for
-/// each pair. It takes feet that carry to be held by the ground. Where feet land is planned from
-/// the path of the body.
+/// Trots by `limited_control_torque` of one scene, whose feet and tasks come and go. It takes feet
+/// that carry to be held by the ground. Where feet land is planned from the path of the body.
 class TrotController {
  public:
   static constexpr int kRates = AnymalOnFeet::kVelocities;
@@ -46,12 +45,8 @@ class TrotController {
   void ask_foot(int foot, double time, const Vectors& x, const Vectors& v, double* xdd) noexcept;
   double wanted_load(int foot) const noexcept;
 
-  void stand(const double (&body)[6], const AnymalState& state, double (&tau)[kRates]) noexcept;
-  void swing(double (&body)[6], const Vectors& x, const Vectors& v, const AnymalState& state,
-             double (&tau)[kRates]) noexcept;
-  template <int held, class Law, class Limits, class Limited, int rows>
-  void obey(const Law& law, const Limits& limits, Limited& limited, const double (&xdd)[rows],
-            const AnymalState& state, double (&tau)[kRates]) noexcept;
+  void obey(const double (&xdd)[anymal_trot::kTaskRows], const AnymalState& state,
+            double (&tau)[kRates]) noexcept;
 
   TrotPlan plan_;
   double begin_ = 0.0;
@@ -62,9 +57,8 @@ class TrotController {
   int planned_step_ = -1;  ///< whose swings are those below
   Swing swings_[kFeet]{};
   TrotCommand command_;
-  anymal_stand::LimitedTorque on_all_{};
-  anymal_left::LimitedTorque on_left_{};
-  anymal_right::LimitedTorque on_right_{};
+  anymal_trot::LimitedTorque limited_{};
+  double last_tau_[kRates] = {};
 };
 
 }  // namespace treeline::experiments

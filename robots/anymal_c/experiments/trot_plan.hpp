@@ -49,4 +49,11 @@ constexpr bool carries(Support support, int foot) noexcept {
   return support == Support::all || left == (support == Support::left);
 }
 
+/// To what share a foot is held: nothing of it while it swings. It grows at once after a foot has
+/// landed, and ends just before it leaves, in 0.3 of the time for which all stand.
+double held_share(const TrotPlan& plan, const TrotPhase& phase, int foot) noexcept;
+
+/// To what share the body is led along the line between the feet of a pair: while they are held.
+double led_share(const TrotPlan& plan, const TrotPhase& phase, Support pair) noexcept;
+
 }  // namespace treeline::experiments
