@@ -77,6 +77,12 @@ constexpr const char* kSharedRows =
     ", but rows that are held to a share w of active have a compliance, (1 - w) / w of their own "
     "inverse inertia";
 
+/// Added where a torque is chosen for them. It is no motion of rows with such compliances: of what
+/// is held in part, the torque keeps Newton's law and the task.
+constexpr const char* kSharedSupports =
+    ", but of rows that are held to a share w of active J_s qdd + Jd_s qd is 0 at w = 1, and free "
+    "at w = 0, where f is 0; both change smoothly between";
+
 /// Added where tasks come and go.
 constexpr const char* kSharedTasks =
     ", but the task of a point that is done to a share s of active_tasks acts and sees s-fold, and "
@@ -209,7 +215,10 @@ class Tracer {
       make_drives_implicit<Expression>(trace.qd(), step.front(), trace.tree);
       program.equation = implicit_equation(function_);
     }
-    if (!trace.in[Quantity::active].empty()) program.equation += kSharedRows;
+    if (!trace.in[Quantity::active].empty()) {
+      program.equation +=
+          function_ == Function::supported_control_torque ? kSharedSupports : kSharedRows;
+    }
     if (!trace.in[Quantity::active_tasks].empty()) program.equation += kSharedTasks;
   }
 
