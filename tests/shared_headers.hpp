@@ -45,7 +45,7 @@
 #include "oracle/model_from_robot.hpp"
 #include "oracle/reference.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/run_passes.hpp"
+#include "passes/passes.hpp"
 #include "program/evaluate.hpp"
 #include "random_mechanism.hpp"
 #include "random_state.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "check/judge_function.hpp"
+#include "check/judges.hpp"
 
 namespace treeline {
 namespace {

@@ -12,7 +12,7 @@
 #include "choice/function_mechanisms.hpp"
 #include "description/scene_words.hpp"
 #include "emission/backend.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/without_callers.hpp"
 #include "mechanism/build_mechanism.hpp"

@@ -7,17 +7,14 @@
 #include <utility>
 
 #include "board/cross_compile.hpp"
-#include "board/judge_calls.hpp"
 #include "board/measure_objects.hpp"
 #include "board/run_board.hpp"
-#include "board/step_on_board.hpp"
-#include "check/find_sources.hpp"
-#include "check/judge_step.hpp"
-#include "compilation/choose_flags.hpp"
+#include "check/check.hpp"
+#include "check/judges.hpp"
+#include "compilation/compile_folder.hpp"
 #include "compilation/print_step_entry.hpp"
 #include "compilation/temporary_folder.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/print_selftest.hpp"
+#include "emission/print_files.hpp"
 #include "oracle/reference_maker.hpp"
 
 namespace treeline {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "board/board_options.hpp"
 #include "board/board_report.hpp"
+#include "board/run_board.hpp"
 #include "check/check.hpp"
+#include "oracle/reference.hpp"
 
 namespace treeline {
 
@@ -16,5 +18,12 @@ namespace treeline {
 std::optional<BoardReport> check_on_board(const Robot& robot, const Scene& scene,
                                           const Generation& generation, const CheckOptions& options,
                                           const BoardOptions& board, Diagnostics& diagnostics);
+
+/// Compares the calls of function `i` with the references and notes the verdict and the counted
+/// instructions. With `contracted` errors are compared with the bound of `check`, else bits.
+/// `function.cycles`, the mean of one instruction, becomes that of the longest call.
+void judge_calls(std::size_t i, const GeneratedFunction& generated, const BoardCalls& calls,
+                 const std::vector<StateReference>& references, Real real, bool contracted,
+                 BoardFunction& function);
 
 }  // namespace treeline

@@ -1,8 +1,8 @@
-#include "board/count_instructions.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
+
+#include "board/measure_objects.hpp"
 
 namespace treeline {
 namespace {

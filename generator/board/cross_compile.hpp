@@ -6,12 +6,38 @@
 #include <string>
 #include <vector>
 
-#include "board/board_options.hpp"
-#include "board/find_tools.hpp"
-#include "compilation/choose_flags.hpp"
+#include "compilation/compile_folder.hpp"
+#include "compilation/run_commands.hpp"
 #include "generation/generate_code.hpp"
+#include "target/target.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
+
+/// A board of one's own in place of the one that QEMU imitates; all empty: that one.
+struct BoardOptions {
+  /// Program and its arguments, to which that of the ELF file is added: it lets the board run that
+  /// and prints what the board sends. Words as of a shell without quotes.
+  std::string runner;
+  /// Source with functions of the board: those that board.hpp declares as `treeline_board_...`.
+  std::filesystem::path port;
+  /// Where code and data are, and bytes of data: three numbers with commas between.
+  std::string memory;
+};
+
+/// Programs for a target, which start.
+struct Tools {
+  std::string compiler;          ///< the program, for C++
+  std::string c_compiler;        ///< compiler of C
+  std::string prefix;            ///< of the names of nm, size and objdump
+  std::string compiler_version;  ///< first line that it prints
+  Command runner;                ///< takes the program's file as its last argument
+};
+
+/// Finds the compiler of a target that has a board, and QEMU unless another runner is given.
+/// Errors: a program is missing, with the package of Debian that holds it.
+std::optional<Tools> find_tools(const Target& target, const std::string& runner,
+                                const std::filesystem::path& work, Diagnostics& diagnostics);
 
 /// Object files of a program for a board, all in one folder.
 struct BoardObjects {

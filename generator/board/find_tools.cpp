@@ -1,6 +1,6 @@
-#include "board/find_tools.hpp"
-
 #include <fmt/format.h>
+
+#include "board/cross_compile.hpp"
 
 namespace treeline {
 namespace {

@@ -1,8 +1,7 @@
-#include "board/judge_calls.hpp"
-
 #include <algorithm>
 
-#include "check/judge_function.hpp"
+#include "board/check_on_board.hpp"
+#include "check/judges.hpp"
 
 namespace treeline {
 namespace {

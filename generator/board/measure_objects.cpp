@@ -6,8 +6,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "board/count_instructions.hpp"
-#include "board/read_call_graph.hpp"
 #include "emission/backend.hpp"
 
 namespace treeline {

@@ -1,11 +1,10 @@
-#include "board/print_harness.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "board/run_board.hpp"
 #include "board/templates.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

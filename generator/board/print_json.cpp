@@ -2,7 +2,7 @@
 
 #include "board/board_report.hpp"
 #include "core/mode.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {

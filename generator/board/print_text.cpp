@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "board/board_report.hpp"
-#include "check/list_names.hpp"
+#include "check/report.hpp"
 #include "core/mode.hpp"
 #include "emission/comment.hpp"
 #include "text/align_columns.hpp"

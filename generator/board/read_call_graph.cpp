@@ -1,8 +1,8 @@
-#include "board/read_call_graph.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
+
+#include "board/measure_objects.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,10 @@
-#include "board/read_printed.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <optional>
+
+#include "board/run_board.hpp"
 
 namespace treeline {
 namespace {

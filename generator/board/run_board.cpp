@@ -4,13 +4,11 @@
 
 #include <cstring>
 
-#include "board/print_harness.hpp"
-#include "board/read_printed.hpp"
 #include "board/templates.hpp"
 #include "compilation/print_step_entry.hpp"
-#include "compilation/write_work_file.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "emission/backend.hpp"
-#include "emission/digest.hpp"
+#include "emission/generated_file.hpp"
 #include "oracle/graph_run.hpp"
 
 namespace treeline {

@@ -1,17 +1,16 @@
-#include "board/step_on_board.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "board/run_board.hpp"
 #include "board/templates.hpp"
-#include "check/compile_step.hpp"
-#include "check/judge_function.hpp"
+#include "check/judges.hpp"
 #include "check/step_dynamics.hpp"
+#include "check/step_library.hpp"
 #include "check/step_motion.hpp"
 #include "core/mode.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

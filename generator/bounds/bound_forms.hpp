@@ -7,7 +7,6 @@
 
 #include "bounds/norm_memo.hpp"
 #include "bounds/quadratic_form.hpp"
-#include "bounds/word_memo.hpp"
 
 namespace treeline::bounds {
 

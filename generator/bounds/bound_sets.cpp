@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "bounds/exact_operation.hpp"
-#include "bounds/operator_norm.hpp"
 #include "bounds/quaternion_scale.hpp"
-#include "bounds/turn_rounding.hpp"
+#include "bounds/trig_polynomial.hpp"
 
 namespace treeline::bounds {
 namespace {

@@ -7,7 +7,6 @@
 #include "bounds/bound_forms.hpp"
 #include "bounds/node_bounds.hpp"
 #include "bounds/norm_memo.hpp"
-#include "bounds/word_memo.hpp"
 #include "program/program.hpp"
 
 namespace treeline::bounds {

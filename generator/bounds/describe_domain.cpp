@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bounds/domain.hpp"
-#include "description/find_joint.hpp"
+#include "description/robot_queries.hpp"
 #include "description/scene_inputs.hpp"
 
 namespace treeline {

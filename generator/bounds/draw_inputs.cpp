@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "functions/quantity_of_input.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline::bounds {
 namespace {

@@ -1,5 +1,3 @@
-#include "bounds/expand_linear.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -7,6 +5,8 @@
 #include <memory_resource>
 #include <unordered_map>
 #include <utility>
+
+#include "bounds/trig_polynomial.hpp"
 
 namespace treeline::bounds {
 namespace {

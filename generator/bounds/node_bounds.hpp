@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bounds/expand_linear.hpp"
+#include "bounds/trig_polynomial.hpp"
 #include "program/program.hpp"
 
 namespace treeline::bounds {

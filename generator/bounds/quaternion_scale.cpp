@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "functions/quantity_of_input.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline::bounds {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "functions/quantity_of_input.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline::bounds {
 namespace {

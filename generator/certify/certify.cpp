@@ -4,12 +4,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "certify/ask_gappa.hpp"
 #include "certify/bound_in_steps.hpp"
-#include "certify/check_with_coq.hpp"
-#include "certify/write_proofs.hpp"
+#include "certify/proof_step.hpp"
 #include "compilation/temporary_folder.hpp"
-#include "compilation/write_work_file.hpp"
-#include "emission/print_identity.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "certify/check_with_coq.hpp"
-
 #include <fmt/format.h>
 
 #include <sstream>
 
+#include "certify/ask_gappa.hpp"
 #include "compilation/run_commands.hpp"
-#include "compilation/write_work_file.hpp"
+#include "compilation/temporary_folder.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "certify/certify.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {

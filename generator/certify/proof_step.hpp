@@ -1,7 +1,10 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 
@@ -39,5 +42,11 @@ enum class Precision { binary32, binary64 };
 
 /// The step as a script for Gappa. With `asks`, bounds of goals are left for Gappa to find.
 std::string print_step(const ProofStep& step, Precision precision, bool asks);
+
+/// Writes each step as a script for Gappa: FOLDER/FUNCTION/step_0001.g, and so on. Older scripts
+/// of that name are removed. Returns false and reports an error if that fails.
+bool write_proofs(const std::filesystem::path& folder, const std::string& function,
+                  const std::vector<ProofStep>& steps, Precision precision,
+                  Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "functions/quantity_of_input.hpp"
+#include "functions/quantity.hpp"
 
 namespace treeline {
 namespace {

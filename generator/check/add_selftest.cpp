@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "check/record_selftest_motion.hpp"
 #include "choice/for_each_index.hpp"
 #include "emission/selftest_facts.hpp"
 #include "oracle/bound.hpp"

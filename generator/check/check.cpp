@@ -6,20 +6,14 @@
 #include <chrono>
 #include <set>
 
-#include "check/find_sources.hpp"
-#include "check/judge_equations.hpp"
-#include "check/judge_function.hpp"
-#include "check/judge_limits.hpp"
-#include "check/judge_step.hpp"
+#include "check/judges.hpp"
 #include "compilation/generated_library.hpp"
 #include "compilation/print_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "emission/backend.hpp"
 #include "emission/ground_unit.hpp"
-#include "emission/print_ground.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/print_selftest.hpp"
+#include "emission/print_files.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {

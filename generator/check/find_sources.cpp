@@ -1,8 +1,7 @@
-#include "check/find_sources.hpp"
-
 #include <algorithm>
 #include <array>
 
+#include "check/check.hpp"
 #include "compilation/run_commands.hpp"
 #include "emission/backend.hpp"
 #include "emission/write_files.hpp"

@@ -1,7 +1,6 @@
-#include "check/judge_equations.hpp"
-
 #include <algorithm>
 
+#include "check/judges.hpp"
 #include "choice/for_each_index.hpp"
 #include "oracle/equations.hpp"
 #include "oracle/subject_at.hpp"

@@ -1,11 +1,9 @@
-#include "check/judge_function.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "check/judge_rounding.hpp"
+#include "check/judges.hpp"
 
 namespace treeline {
 namespace {

@@ -1,12 +1,10 @@
-#include "check/judge_limits.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
 
-#include "check/judge_function.hpp"
+#include "check/judges.hpp"
 #include "choice/for_each_index.hpp"
 #include "compilation/print_entry.hpp"
 #include "generation/describe_limits.hpp"

@@ -1,5 +1,3 @@
-#include "check/judge_rounding.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 
 #include "bounds/lie_on_circle.hpp"
 #include "bounds/propagate_errors.hpp"
+#include "check/judges.hpp"
 #include "program/evaluate.hpp"
 
 namespace treeline {

@@ -1,16 +1,13 @@
-#include "check/judge_step.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "check/judge_function.hpp"
+#include "check/judges.hpp"
 #include "check/step_dynamics.hpp"
 #include "check/step_library.hpp"
 #include "check/step_motion.hpp"
-#include "check/step_rules.hpp"
 #include "compilation/print_step_entry.hpp"
 #include "compilation/run_commands.hpp"
 #include "core/mode.hpp"

@@ -4,8 +4,8 @@
 
 #include "check/report.hpp"
 #include "core/mode.hpp"
-#include "emission/generator_version.hpp"
-#include "functions/matrix_symbol.hpp"
+#include "emission/generated_file.hpp"
+#include "functions/function.hpp"
 #include "text/json_text.hpp"
 
 namespace treeline {

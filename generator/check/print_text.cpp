@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "check/list_names.hpp"
 #include "check/report.hpp"
 #include "core/mode.hpp"
 #include "emission/comment.hpp"
-#include "functions/matrix_symbol.hpp"
+#include "functions/function.hpp"
 #include "text/align_columns.hpp"
 
 namespace treeline {

@@ -1,11 +1,10 @@
-#include "check/record_selftest_motion.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "check/compile_step.hpp"
+#include "check/add_selftest.hpp"
 #include "check/step_dynamics.hpp"
+#include "check/step_library.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "core/mode.hpp"
 #include "emission/controller_unit.hpp"

@@ -160,4 +160,14 @@ double digits_left(const CheckReport& report, double error_in_ulp);
 std::string print_text(const CheckReport& report);
 std::string print_json(const CheckReport& report);
 
+/// Names of the functions of a report of which that holds, with commas.
+template <class Function>
+std::string list_names(const std::vector<Function>& functions, bool Function::*holds) {
+  std::string names;
+  for (const Function& f : functions) {
+    if (f.*holds) names += (names.empty() ? "" : ", ") + f.name;
+  }
+  return names;
+}
+
 }  // namespace treeline

@@ -5,7 +5,6 @@
 
 #include "emission/controller_unit.hpp"
 #include "oracle/interpret.hpp"
-#include "oracle/law_at.hpp"
 #include "oracle/subject_at.hpp"
 
 namespace treeline {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generation/generate_code.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -74,5 +75,30 @@ class StepLibrary {
   Entries entries_{};
   std::array<std::vector<StepMember>, kStepParts.size()> members_;
 };
+
+/// A step, seen from outside.
+struct SeenStep {
+  const StepLibrary& library;
+  const StepNumbers& config;  ///< that is sound
+  const StepNumbers& before;  ///< the state that the step was given
+  const StepNumbers& input;
+  const StepNumbers& output;
+  bool reset = false;  ///< whether a reset was commanded
+  double unit = 0;     ///< ulp of one
+
+  /// Number `i` of a member of that name.
+  [[nodiscard]] long double number(StepPart part, const char* member, std::size_t i = 0) const;
+  [[nodiscard]] std::uint32_t bits(StepPart part, const char* member) const;
+};
+
+/// Rule that the step breaks and no law may break; empty if none.
+std::string find_broken_rule(const SeenStep& seen);
+
+/// Compiles the controller among a folder's sources for this machine without contraction, in
+/// `work`, and loads it. `jobs`: cores, 0 for all. Errors: it does not compile.
+std::optional<StepLibrary> compile_step(const Scene& scene, const Generation& generation, int jobs,
+                                        const std::filesystem::path& sources,
+                                        const std::filesystem::path& work,
+                                        Diagnostics& diagnostics);
 
 }  // namespace treeline

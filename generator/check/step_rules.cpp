@@ -1,7 +1,6 @@
-#include "check/step_rules.hpp"
-
 #include <cmath>
 
+#include "check/step_library.hpp"
 #include "core/mode.hpp"
 #include "emission/controller_faults.hpp"
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "description/scene.hpp"
 #include "mechanism/mechanism.hpp"
+#include "program/program.hpp"
 
 namespace treeline {
 
@@ -13,5 +17,10 @@ int count_cheapest(const Mechanism& mechanism, Function function);
 /// operations of `frame_cost` as traced. Isomorphic limbs decide together, so that they can share
 /// lanes.
 void choose_axes(Mechanism& mechanism, Function frame_cost);
+
+/// Counts the operations that the results need by the link for which they were traced (`section` in
+/// recursion/tree/tree.hpp). Operations for no link come last, so there is one more number than
+/// links.
+std::vector<int> count_by_link(const Program& program, std::size_t links);
 
 }  // namespace treeline

@@ -10,10 +10,10 @@
 
 #include "choice/base_parameter_domain.hpp"
 #include "choice/choose_loops.hpp"
-#include "choice/compose_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "choice/for_each_index.hpp"
 #include "recursion/routes/routes_of_groups.hpp"
-#include "recursion/routes/trace_loops.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -4,13 +4,12 @@
 
 #include <utility>
 
-#include "choice/estimate_code_size.hpp"
 #include "description/follow_target.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/take_sines.hpp"
+#include "passes/passes.hpp"
 #include "program/ending.hpp"
 #include "program/link_loops.hpp"
-#include "recursion/routes/trace_loops.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "target/target.hpp"
 
 namespace treeline {

@@ -1,7 +1,7 @@
-#include "choice/compose_damped.hpp"
-
 #include <algorithm>
 #include <stdexcept>
+
+#include "choice/evaluate_damped.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,6 @@
-#include "choice/estimate_code_size.hpp"
-
 #include <algorithm>
 
+#include "choice/choose_loops.hpp"
 #include "description/follow_target.hpp"
 #include "target/target.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "choice/generated_function.hpp"
 #include "description/scene.hpp"
 
 namespace treeline {
@@ -28,5 +29,11 @@ extern template std::vector<long double> evaluate_damped_in(DampedInputsIn<long 
 
 /// Evaluates the torques and the smallest eigenvalue in `real`, with each input rounded to it.
 std::vector<double> evaluate_damped(Real real, const DampedInputs& inputs);
+
+/// Makes `damped_control_torque` callable like other functions. It has the arguments and results of
+/// NAME_damped.hpp; its return value, the smallest eigenvalue of the scaled Lambda^-1, is the last
+/// result. Its program has no graph: it is composed of loops and of `functions`, which must include
+/// `kDampedFunctions`.
+GeneratedFunction compose_damped(const std::vector<GeneratedFunction>& functions);
 
 }  // namespace treeline

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "choice/only_by_name.hpp"
-#include "recursion/routes/run_ending.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -9,7 +9,7 @@
 #include "description/scene.hpp"
 #include "mechanism/mechanism.hpp"
 #include "passes/choose.hpp"
-#include "passes/run_passes.hpp"
+#include "passes/passes.hpp"
 #include "program/program.hpp"
 
 namespace treeline {

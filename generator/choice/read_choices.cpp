@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "choice/choices.hpp"
-#include "description/suggest_function.hpp"
-#include "functions/find_function.hpp"
+#include "description/suggestions.hpp"
+#include "functions/function.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

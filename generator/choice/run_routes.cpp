@@ -7,9 +7,7 @@
 #include "choice/only_by_name.hpp"
 #include "description/follow_target.hpp"
 #include "mechanism/find_limbs.hpp"
-#include "passes/canonicalize.hpp"
-#include "passes/take_sines.hpp"
-#include "recursion/routes/run_ending.hpp"
+#include "passes/passes.hpp"
 #include "recursion/routes/trace_function.hpp"
 #include "target/target.hpp"
 

@@ -1,10 +1,8 @@
-#include "cli/complete_ground_step.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "cli/find_all_meshes.hpp"
-#include "cli/ground_shapes.hpp"
 #include "description/scene_inputs.hpp"
 #include "mechanism/build_mechanism.hpp"
 

@@ -1,8 +1,7 @@
-#include "cli/deliver_files.hpp"
-
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/print_outputs.hpp"
 #include "emission/write_files.hpp"
 
 namespace treeline {

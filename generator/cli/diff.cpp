@@ -3,8 +3,8 @@
 
 #include "cli/commands.hpp"
 #include "comparison/difference.hpp"
-#include "description/count_freedoms.hpp"
 #include "description/read_urdf.hpp"
+#include "description/scene_queries.hpp"
 #include "terminal/exit_code.hpp"
 #include "terminal/option_values.hpp"
 #include "terminal/print_diagnostics.hpp"

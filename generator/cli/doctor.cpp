@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "compilation/environment.hpp"
+#include "compilation/compile_folder.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
 #include "description/sdf/read_sdf.hpp"

@@ -7,18 +7,15 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/complete_ground_step.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/read_inputs.hpp"
 #include "cli/record.hpp"
-#include "cli/replay.hpp"
 #include "description/read_surroundings.hpp"
 #include "drawing/show_held_objects.hpp"
 #include "driving/driver.hpp"
 #include "driving/find_start.hpp"
 #include "driving/latency.hpp"
 #include "driving/loop_handle.hpp"
-#include "driving/reference.hpp"
 #include "driving/robot_elsewhere.hpp"
 #include "driving/simulation_options.hpp"
 #include "launch/launch.hpp"

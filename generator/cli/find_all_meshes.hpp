@@ -5,7 +5,10 @@
 #include <vector>
 
 #include "cli/read_inputs.hpp"
+#include "cli/read_robot_files.hpp"
+#include "description/scene.hpp"
 #include "drive/find_meshes.hpp"
+#include "simulation/ground.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -32,5 +35,20 @@ std::vector<drive::ServedMesh> find_all_meshes(const RobotFiles& files,
 /// many others.
 void warn_of_missing(const std::vector<drive::ServedMesh>& meshes, const std::string& verb,
                      Diagnostics& diagnostics);
+
+/// Reads what of a robot may touch the ground: the `<collision>` of its links. `body` of each is
+/// left to who has a model. A mesh is some of its outermost corners; meshes that are missing or
+/// cannot be read are a warning.
+std::vector<simulation::GroundShape> read_ground_shapes(const RobotFiles& files,
+                                                        const drive::MeshPlaces& places,
+                                                        Diagnostics& diagnostics);
+
+/// Reads what may touch the ground, where a scene asks for a step on it. Errors: what such a step
+/// does not have. Meshes that are missing are a warning.
+void complete_ground_step(const RobotWithFiles& read, Scene& scene, Diagnostics& diagnostics);
+
+/// Reads what of a robot may touch the ground. Meshes that are missing are a warning.
+std::vector<SceneTouch> read_touches(const RobotFiles& files, const drive::MeshPlaces& places,
+                                     Diagnostics& diagnostics);
 
 }  // namespace treeline

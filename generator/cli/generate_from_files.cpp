@@ -5,10 +5,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "generation/warn_of_size.hpp"
-#include "generation/warn_of_speed_rise.hpp"
+#include "generation/warnings.hpp"
 #include "inspect/warn_of_rows.hpp"
-#include "packaging/package_kind.hpp"
+#include "packaging/package_kinds.hpp"
 #include "terminal/print_diagnostics.hpp"
 #include "terminal/progress_line.hpp"
 

@@ -1,11 +1,10 @@
-#include "cli/ground_shapes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 
+#include "cli/find_all_meshes.hpp"
 #include "cli/read_drawn_robot.hpp"
 #include "description/mesh/mesh.hpp"
 

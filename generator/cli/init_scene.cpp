@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cli/commands.hpp"
-#include "description/count_freedoms.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"
+#include "description/scene_queries.hpp"
 #include "drawing/read_visuals.hpp"
 #include "generation/quote_for_shell.hpp"
 #include "inspect/propose_scene.hpp"

@@ -1,10 +1,9 @@
-#include "cli/joint_springs.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "cli/simulate_motion.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline {

@@ -12,7 +12,6 @@
 #include "terminal/option_values.hpp"
 #include "terminal/write_output.hpp"
 #include "text/align_columns.hpp"
-#include "text/wrap_words.hpp"
 
 namespace treeline {
 namespace {

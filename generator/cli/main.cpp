@@ -16,13 +16,13 @@
 
 #include "cli/commands.hpp"
 #include "cli/describe_usage_error.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 #include "interruption/clean_up.hpp"
 #include "terminal/exit_code.hpp"
 #include "terminal/print_diagnostics.hpp"
 #include "terminal/write_output.hpp"
+#include "text/align_columns.hpp"
 #include "text/printable.hpp"
-#include "text/terminal_columns.hpp"
 
 namespace {
 

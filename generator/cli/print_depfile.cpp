@@ -1,6 +1,6 @@
-#include "cli/print_depfile.hpp"
-
 #include <filesystem>
+
+#include "cli/print_outputs.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "cli/print_summary.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/print_outputs.hpp"
 #include "passes/count_operations.hpp"
 #include "text/align_columns.hpp"
 #include "text/json_text.hpp"

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "drawing/read_meshes.hpp"
+#include "drawing/read_visuals.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

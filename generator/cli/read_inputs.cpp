@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/complete_ground_step.hpp"
+#include "cli/find_all_meshes.hpp"
 #include "description/follow_target.hpp"
 #include "description/noise.hpp"
 #include "description/read_number.hpp"
+#include "description/scene_queries.hpp"
 #include "description/scene_words.hpp"
-#include "description/states_key.hpp"
-#include "description/suggest_function.hpp"
+#include "description/suggestions.hpp"
 #include "emission/backend.hpp"
-#include "functions/find_function.hpp"
+#include "functions/function.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
-#include "packaging/adapt_to_c.hpp"
+#include "packaging/package_kinds.hpp"
 #include "terminal/option_values.hpp"
 #include "text/identifier.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "description/print_joined_urdf.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_urdf.hpp"
 #include "text/read_text_file.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/read_inputs.hpp"
+#include "driving/page_server.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
@@ -30,5 +31,9 @@ bool is_table(const std::string& path);
 /// cannot show.
 std::optional<Record> record_of_table(const std::string& path, const RobotAndScene& inputs,
                                       const std::string& checksum, Diagnostics& diagnostics);
+
+/// Shows a record in the page, in real time and again from its beginning, until a signal comes.
+/// There is no loop, and nothing can be commanded. Errors: an address that cannot be listened on.
+bool replay(const Record& record, const PageSettings& page, Diagnostics& diagnostics);
 
 }  // namespace treeline

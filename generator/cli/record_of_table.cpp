@@ -9,7 +9,6 @@
 #include "drive/session.hpp"
 #include "drive/wire.hpp"
 #include "launch/describe_robot.hpp"
-#include "launch/describe_surroundings.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "text/json_text.hpp"
 

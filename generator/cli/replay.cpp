@@ -1,5 +1,3 @@
-#include "cli/replay.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -9,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "cli/record.hpp"
 #include "interruption/clean_up.hpp"
 #include "text/json_text.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/find_all_meshes.hpp"
-#include "cli/ground_shapes.hpp"
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
 #include "description/read_surroundings.hpp"

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/joint_springs.hpp"
-#include "cli/start_on_ground.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"

@@ -7,6 +7,7 @@
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "description/surroundings.hpp"
+#include "mechanism/coordinate.hpp"
 #include "report/plot.hpp"
 #include "report/table.hpp"
 #include "simulation/step_on_ground.hpp"
@@ -63,5 +64,48 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
 
 /// Coordinates and energy over time.
 report::Plot plot_motion(const std::string& robot, const Motion& motion);
+
+/// Springs and dampers in the joints; one entry for each velocity.
+struct JointSprings {
+  simulation::Vector stiffness, rest, damping;
+  std::vector<int> coordinates;  ///< where the spring's coordinate is in q; -1: it has no spring
+};
+
+/// Springs and dampers as `settings` has them: springs in joints of one freedom, at rest at
+/// `start`. With springs, both are as strong in each joint as the step permits: the eigenvalues of
+/// M^-1 K step^2 and of M^-1 D step at the start are at most 1, where explicit integrators are
+/// stable. A note tells how many joints are weaker for that.
+JointSprings make_springs(const simulation::Model& model, const MotionSettings& settings,
+                          const simulation::State& start, Diagnostics& diagnostics);
+
+/// Their joint forces.
+simulation::Vector force_of(const JointSprings& springs, const simulation::State& state);
+
+/// The ground, if there is one, for a model, on whose bodies the shapes are found by their links;
+/// and, with `stops`, the ends of its joints' ranges.
+std::optional<simulation::Ground> make_ground(const simulation::Model& model,
+                                              const std::vector<Coordinate>& coordinates,
+                                              const std::optional<GroundOfRobot>& ground,
+                                              bool stops);
+
+/// Whether any link can touch the ground; else with an error.
+bool can_touch(const simulation::Ground& ground, Diagnostics& diagnostics);
+
+/// How the ground, if there is one, answers in steps of so many seconds: what gravity makes in four
+/// of them does not bounce, nor rounding.
+std::optional<simulation::Surface> make_surface(const simulation::Model& model,
+                                                const std::optional<GroundOfRobot>& ground,
+                                                double step);
+
+/// Whether a start is between the stops; else with an error that names the first joint that is not.
+bool starts_between_stops(const std::vector<Coordinate>& coordinates,
+                          const simulation::State& start, Diagnostics& diagnostics);
+
+/// Moves a start so that no point is in the ground: floating robots up by what the lowest point
+/// lacks, with a note, or to the height that is asked for. Errors: a start in the ground that was
+/// given or of a robot that does not float; no shape that could touch the ground.
+bool start_on_ground(const simulation::Model& model, const simulation::Ground& ground,
+                     const MotionSettings& settings, simulation::State& state,
+                     Diagnostics& diagnostics);
 
 }  // namespace treeline

@@ -1,9 +1,8 @@
-#include "cli/start_on_ground.hpp"
-
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "cli/simulate_motion.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
 

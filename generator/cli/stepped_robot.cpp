@@ -6,8 +6,7 @@
 
 #include "choice/for_each_index.hpp"
 #include "cli/find_all_meshes.hpp"
-#include "cli/ground_shapes.hpp"
-#include "cli/start_on_ground.hpp"
+#include "cli/simulate_motion.hpp"
 #include "description/read_surroundings.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/compare_parts.hpp"
+#include "comparison/difference.hpp"
+#include "description/robot_queries.hpp"
 #include "description/rotation.hpp"
-#include "description/total_mass.hpp"
 
 namespace treeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/compare_parts.hpp"
+#include "comparison/difference.hpp"
 
 namespace treeline {
 namespace {

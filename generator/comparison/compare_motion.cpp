@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/compare_parts.hpp"
+#include "comparison/difference.hpp"
 #include "comparison/paired_models.hpp"
 
 namespace treeline {

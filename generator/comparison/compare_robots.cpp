@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "comparison/compare_parts.hpp"
 #include "comparison/difference.hpp"
 
 namespace treeline {

@@ -3,10 +3,28 @@
 #include <string>
 #include <vector>
 
-#include "comparison/match_robots.hpp"
+#include "description/robot.hpp"
 #include "description/scene.hpp"
 
 namespace treeline {
+
+/// A link or joint that both robots have, by its index in each.
+struct Match {
+  int first = -1, second = -1;
+};
+
+/// The correspondence of links and joints of two robots.
+struct RobotMatch {
+  std::vector<Match> links, joints;  ///< in the order of the first robot
+  std::vector<int> links_only_in_first, links_only_in_second;
+  std::vector<int> joints_only_in_first, joints_only_in_second;
+};
+
+/// Matches links and joints of the same name. The others are matched as renamed by their places in
+/// the tree: the roots; the children of a joint that is in both; a joint that connects two links
+/// that are in both; and, of the joints that leave such a link, those of the same type whose
+/// origins are nearest to each other.
+RobotMatch match_robots(const Robot& first, const Robot& second);
 
 /// Difference of a link that both robots have. SI units.
 struct LinkDifference {
@@ -74,5 +92,18 @@ std::string print_text(const RobotDifference& difference);
 
 /// Prints every field as JSON, for programs.
 std::string print_json(const RobotDifference& difference);
+
+/// Compares masses, centres of mass and inertias of the links that both robots have.
+void compare_inertias(const Robot& first, const Robot& second, const RobotMatch& match,
+                      RobotDifference& difference);
+
+/// Compares types, mimics and limits of the joints that both robots have.
+void compare_joints(const Robot& first, const Robot& second, const RobotMatch& match,
+                    RobotDifference& difference);
+
+/// Compares poses, mass matrix, gravity and inverse dynamics at random states, see
+/// `RobotDifference`.
+void compare_motion(const Robot& first, const Robot& second, const RobotMatch& match,
+                    RobotDifference& difference);
 
 }  // namespace treeline

@@ -1,9 +1,9 @@
-#include "comparison/match_robots.hpp"
-
 #include <cmath>
 #include <limits>
 #include <map>
 #include <string>
+
+#include "comparison/difference.hpp"
 
 namespace treeline {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bounds/rng.hpp"
-#include "comparison/match_robots.hpp"
+#include "comparison/difference.hpp"
 #include "description/scene.hpp"
 #include "interpreter/instances.hpp"
 

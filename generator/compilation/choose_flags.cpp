@@ -1,5 +1,6 @@
-#include "compilation/choose_flags.hpp"
+#include <cstdlib>
 
+#include "compilation/compile_folder.hpp"
 #include "compilation/run_commands.hpp"
 #include "emission/backend.hpp"
 
@@ -39,6 +40,11 @@ FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOpti
   if (own.is_small) return {flags + " " + kSmallCodeFlag, false, true};
   if (own.is_long && !options.long_flags.empty()) return {options.long_flags, true, false};
   return {own.is_huge && optimises(flags) ? flags + " " + kHugeFlag : flags, false, false};
+}
+
+std::string environment_value(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value == nullptr || split_words(value).empty() ? "" : value;
 }
 
 }  // namespace treeline

@@ -11,12 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include "compilation/choose_flags.hpp"
-#include "compilation/environment.hpp"
 #include "compilation/print_entry.hpp"
-#include "compilation/print_opencl_entry.hpp"
 #include "compilation/run_commands.hpp"
-#include "compilation/write_work_file.hpp"
+#include "compilation/temporary_folder.hpp"
 #include "emission/backend.hpp"
 
 namespace treeline {

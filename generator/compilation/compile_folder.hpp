@@ -83,4 +83,27 @@ std::optional<int> add_constant_bytes(const std::string& size_output);
 /// Adds up the bytes of stack of all functions in a `.su` file of -fstack-usage.
 std::optional<int> add_stack_bytes(const std::string& stack_usage);
 
+/// How the source of one function is compiled.
+struct FunctionFlags {
+  std::string flags;
+  bool is_long = false;   ///< by `CompileOptions::long_flags`
+  bool is_small = false;  ///< to small code
+};
+
+/// Adds the extra passes that the emitted CMakeLists.txt has GCC make where it optimises.
+std::string add_extra_passes(const std::string& flags);
+
+/// Returns the flags for a function. Where the emitted CMakeLists.txt compiles it to small code, so
+/// do these flags, however long it is: what is judged is what is delivered.
+FunctionFlags choose_flags(const GeneratedFunction& generated, const CompileOptions& options);
+
+/// Prints a source file in C++ with the entries of `print_entry` for a folder in OpenCL C. Each
+/// runs a kernel for several states, of which it is given one. The driver of a device compiles the
+/// folder, when `treeline_check_fault` is called: it returns what went wrong, else null.
+std::string print_opencl_entry(const std::filesystem::path& folder, const std::string& name,
+                               const std::vector<GeneratedFunction>& functions);
+
+/// The value of an environment variable; empty where it is blank or not set.
+std::string environment_value(const char* variable);
+
 }  // namespace treeline

@@ -1,8 +1,8 @@
-#include "compilation/distrust_folder.hpp"
-
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "compilation/keep_library.hpp"
 
 namespace treeline {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "compilation/environment.hpp"
-#include "emission/digest.hpp"
+#include "compilation/compile_folder.hpp"
+#include "emission/generated_file.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compilation/run_commands.hpp"
+#include "text/diagnostic.hpp"
 
 namespace treeline {
 
@@ -29,5 +31,10 @@ bool take_kept_library(const std::filesystem::path& folder, const std::string& n
 /// last. Does nothing where the folder cannot be made or written: the library is there anyway.
 void keep_library(const std::filesystem::path& library, const std::filesystem::path& folder,
                   const std::string& name);
+
+/// Why code is not to be loaded from a folder, as a warning with its remedy: somebody else than the
+/// user who runs this program owns it or may write to it, or could put another in its place.
+/// Nothing where it is only the user's, or is not there yet and would be.
+std::optional<Diagnostic> reason_to_distrust(const std::filesystem::path& folder);
 
 }  // namespace treeline

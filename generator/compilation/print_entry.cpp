@@ -4,7 +4,7 @@
 
 #include "compilation/templates.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

@@ -1,9 +1,7 @@
-#include "compilation/print_opencl_entry.hpp"
-
+#include "compilation/compile_folder.hpp"
 #include "compilation/templates.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
-#include "emission/opencl/build_options.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/opencl/print_files.hpp"
 
 namespace treeline {
 

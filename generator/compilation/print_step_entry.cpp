@@ -6,7 +6,7 @@
 #include <array>
 
 #include "compilation/templates.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_members.hpp"
 
 namespace treeline {

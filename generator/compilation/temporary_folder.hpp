@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "interruption/folder_guard.hpp"
 #include "text/diagnostic.hpp"
@@ -29,5 +30,10 @@ class TemporaryFolder {
 /// Makes a temporary folder. Returns nothing and reports an error if that fails, for instance
 /// because TMPDIR does not exist or the disk is full.
 std::unique_ptr<TemporaryFolder> make_temporary_folder(Diagnostics& diagnostics);
+
+/// Writes a file, of a temporary folder or one that was named, and the folders that it is in.
+/// Errors: it cannot be written to its end.
+bool write_work_file(const std::filesystem::path& path, const std::string& bytes,
+                     Diagnostics& diagnostics);
 
 }  // namespace treeline

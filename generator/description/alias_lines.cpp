@@ -1,11 +1,11 @@
-#include "description/alias_lines.hpp"
-
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <sstream>
 #include <vector>
+
+#include "description/parse_yaml.hpp"
 
 namespace treeline {
 namespace {

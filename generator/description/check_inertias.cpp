@@ -1,5 +1,3 @@
-#include "description/check_inertias.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -7,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "text/list_first.hpp"
+#include "description/inertias.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -1,4 +1,3 @@
-#include "description/check_limits.hpp"
 
 #include <fmt/format.h>
 

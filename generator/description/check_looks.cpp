@@ -1,8 +1,8 @@
-#include "description/check_looks.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

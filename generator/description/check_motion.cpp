@@ -1,6 +1,6 @@
-#include "description/check_motion.hpp"
-
 #include <algorithm>
+
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

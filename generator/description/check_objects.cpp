@@ -1,12 +1,11 @@
-#include "description/check_objects.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "description/count_freedoms.hpp"
+#include "description/check_scene.hpp"
 #include "description/rotation.hpp"
+#include "description/scene_queries.hpp"
 
 namespace treeline {
 namespace {

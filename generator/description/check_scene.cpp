@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "description/check_limits.hpp"
-#include "description/check_motion.hpp"
-#include "description/check_objects.hpp"
-#include "description/count_freedoms.hpp"
-#include "description/list_rows.hpp"
-#include "description/read_controller.hpp"
 #include "description/read_keys.hpp"
 #include "description/scene_inputs.hpp"
+#include "description/scene_queries.hpp"
+#include "description/urdf_parts.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

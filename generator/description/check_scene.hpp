@@ -26,4 +26,20 @@ void complete_scene(const SceneElement& top, const Robot& robot, bool listed, Sc
 /// Warns of forces, contacts, constraints and passive joints that none of the functions takes.
 void warn_of_unused(const SceneElement& top, const Scene& scene);
 
+/// Why a scene that holds no rows does not permit supported_control_torque.
+const char* why_unsupported(const Scene& scene);
+
+/// Functions that `limited_control_torque` calls.
+std::vector<Function> functions_of_limits(const Scene& scene);
+
+/// Adds to functions that the scene did not list those that `limited_control_torque` calls.
+void add_functions_of_limits(const Robot& robot, Scene& scene);
+
+/// Reports what limits of torques and friction lack.
+void check_limits(const SceneElement& top, const Robot& robot, const Scene& scene);
+
+/// Reports hands that cannot hold what the scene says: fewer coordinates than the grasps have rows,
+/// grasps at one place, on a line or in a plane where the virtual linkage needs more.
+void check_objects(const SceneElement& top, const Robot& robot, const Scene& scene);
+
 }  // namespace treeline

@@ -10,9 +10,9 @@
 #include <mutex>
 #include <set>
 
-#include "description/read_link.hpp"
 #include "description/read_number.hpp"
 #include "description/rotation.hpp"
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

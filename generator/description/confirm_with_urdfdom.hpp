@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "description/read_joint.hpp"
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 

@@ -1,9 +1,9 @@
-#include "description/connect_tree.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
+#include <string_view>
 
+#include "description/urdf_parts.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {
@@ -131,6 +131,31 @@ void connect_tree(std::vector<NamedJoint>& joints, const std::vector<UrdfElement
   if (reading.failed()) return;
   robot.root = find_root(parent_joint, elements, robot);
   find_loop(parent_joint, elements, robot);
+}
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+bool is_world(const XMLElement* element, const char* attribute) {
+  const char* const name = element == nullptr ? nullptr : element->Attribute(attribute);
+  return name != nullptr && std::string_view(name) == "world";
+}
+
+}  // namespace
+
+void declare_world(XMLElement& robot, UrdfReading& reading) {
+  const auto* link = robot.FirstChildElement("link");
+  while (link != nullptr && !is_world(link, "name")) link = link->NextSiblingElement("link");
+  const auto* joint = robot.FirstChildElement("joint");
+  while (joint != nullptr && !is_world(joint->FirstChildElement("parent"), "link")) {
+    joint = joint->NextSiblingElement("joint");
+  }
+  if (link != nullptr || joint == nullptr) return;
+  robot.InsertNewChildElement("link")->SetAttribute("name", "world");
+  reading.report(Severity::note, joint->GetLineNum(), "robot/joint",
+                 "its parent is the link \"world\", which the file does not have: it is the ground",
+                 "add <link name=\"world\"/> for other programs");
 }
 
 }  // namespace treeline

@@ -1,5 +1,3 @@
-#include "description/controller_limits.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -8,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "text/list_first.hpp"
+#include "description/read_keys.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

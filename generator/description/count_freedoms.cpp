@@ -1,9 +1,9 @@
-#include "description/count_freedoms.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <set>
 #include <vector>
+
+#include "description/scene_queries.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,9 @@
-#include "description/describe_stray_text.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "description/read_number.hpp"
+#include "description/xml_faults.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

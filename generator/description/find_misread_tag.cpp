@@ -1,10 +1,9 @@
-#include "description/find_misread_tag.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "description/scan_xml.hpp"
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "description/find_open_element.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "description/scan_xml.hpp"
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

@@ -1,9 +1,8 @@
-#include "description/find_undefined_entity.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "description/scan_xml.hpp"
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,11 @@
-#include "description/fold_follower_limits.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "description/isometry_of.hpp"
-
 namespace treeline {
 
 BodyTree group_bodies(const Robot& robot) {

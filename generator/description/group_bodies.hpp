@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "description/robot.hpp"
+#include "description/rotation.hpp"
 
 namespace treeline {
 
@@ -22,5 +23,13 @@ struct BodyTree {
 };
 
 BodyTree group_bodies(const Robot& robot);
+
+/// The rigid transform of a pose: of what is in its frame to where the pose is given.
+inline Eigen::Isometry3d isometry_of(const Pose& pose) {
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear() = rotation_from_rpy<double>(pose.rpy);
+  frame.translation() = Eigen::Vector3d(pose.xyz.data());
+  return frame;
+}
 
 }  // namespace treeline

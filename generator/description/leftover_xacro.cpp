@@ -1,5 +1,3 @@
-#include "description/leftover_xacro.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <map>
 #include <set>
 #include <string_view>
+
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

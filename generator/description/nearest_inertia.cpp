@@ -1,12 +1,10 @@
-#include "description/nearest_inertia.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 
-#include "description/check_inertias.hpp"
+#include "description/inertias.hpp"
 #include "description/read_number.hpp"
 
 namespace treeline {

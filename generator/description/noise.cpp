@@ -10,7 +10,6 @@
 
 #include "description/for_each_pose.hpp"
 #include "description/join_robots.hpp"
-#include "description/noise_of_center.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
 #include "description/with_rotors.hpp"

@@ -6,11 +6,8 @@
 #include <set>
 #include <string_view>
 
-#include "description/bound_xml.hpp"
-#include "description/describe_stray_text.hpp"
-#include "description/find_misread_tag.hpp"
-#include "description/find_open_element.hpp"
 #include "description/scan_xml.hpp"
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

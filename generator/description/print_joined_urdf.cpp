@@ -1,5 +1,3 @@
-#include "description/print_joined_urdf.hpp"
-
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -7,6 +5,7 @@
 #include <string_view>
 
 #include "description/parse_xml.hpp"
+#include "description/read_robot_text.hpp"
 
 namespace treeline {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "description/list_links.hpp"
 #include "description/read_keys.hpp"
-#include "description/read_rotors.hpp"
 #include "description/read_scene_point.hpp"
+#include "description/robot_queries.hpp"
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

@@ -1,12 +1,9 @@
-#include "description/read_constraints.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "description/read_rolling.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
-#include "description/read_support_cone.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

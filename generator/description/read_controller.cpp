@@ -1,5 +1,3 @@
-#include "description/read_controller.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "description/controller_limits.hpp"
-#include "description/read_motors.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {

@@ -1,11 +1,9 @@
-#include "description/read_joint.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "description/read_joint_limits.hpp"
+#include "description/urdf_parts.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

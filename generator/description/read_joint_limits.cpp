@@ -1,5 +1,3 @@
-#include "description/read_joint_limits.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 
 #include "description/read_number.hpp"
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

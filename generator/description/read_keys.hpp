@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "description/robot.hpp"
 #include "description/scene.hpp"
 #include "description/scene_element.hpp"
@@ -66,5 +69,84 @@ void read_scene_inputs(const SceneElement& element, const Robot& robot, Scene& s
 
 /// Warns of what the scene lists under `inputs` and none of its functions depends on.
 void check_inputs_used(const SceneElement& top, const Scene& scene);
+
+/// The scene's list of frames of which rows are held: `between: [link, world]` relative to the
+/// world, `between: [link, other link]` relative to a frame of another link, which closes a loop.
+/// `rolling` lets the first frame roll on the other one.
+void read_constraints(const SceneElement& element, const Robot& robot, Scene& scene);
+
+/// The loops that the robot's file closes, as constraints.
+void add_loops_of_robot(const Robot& robot, Scene& scene);
+
+/// The scene's list of linear relations between joints. An error for a joint that is unknown,
+/// fixed, locked, mimic or of several degrees of freedom.
+void read_couplings(const SceneElement& element, const Robot& robot, Scene& scene);
+
+/// Reads `rolling: {radius, axis, on_radius}` of a constraint into the loop, whose rows are those
+/// that `fields` list, or x y z.
+void read_rolling(const SceneFields& fields, SceneLoop& loop);
+
+/// The keys of a constraint that limit its forces.
+inline constexpr std::array kConeKeys = {"friction", "torsional", "half_extents", "sides",
+                                         "least_force"};
+
+/// Reads the limits of the forces of a constraint to the world, if it has some, into `scene`.
+void read_support_cone(const SceneElement& item, const SceneFields& fields, const ScenePoint& held,
+                       Scene& scene);
+
+/// Reads `motors` of a controller: of each joint its gear, the constant of its motor, and perhaps
+/// the largest current.
+void read_motors(const SceneElement& element, const Robot& robot, const Scene& scene,
+                 SceneController& controller);
+
+/// Reports as an error a joint whose motor is not listed where others are: its current would be
+/// told by nobody.
+void check_motors(const SceneElement& top, const Robot& robot, const Scene& scene);
+
+/// The scene's `controller`: laws, period, gains and limits of the controller to emit. Errors: no
+/// law, a law twice, numbers that no controller can have, frequencies that the period cannot
+/// follow, limits of a joint that is unknown or has no coordinate of its own.
+void read_controller(const SceneElement& element, const Robot& robot, Scene& scene);
+
+/// What keeps a joint from being driven as one number by a motor: "joint "wrist" is passive"; empty
+/// where all joints can be.
+std::string find_unfit_joint(const Robot& robot, const Scene& scene);
+
+/// Functions that the scene's controller contains beside those that the scene asks for; none
+/// without a controller.
+std::vector<Function> list_controller_functions(const Scene& scene);
+
+/// Reports as an error what of the robot and the rest of the scene does not permit the controller
+/// that is asked for. Every coordinate needs a motor and a number of its own: no floating base, no
+/// ball joint, nothing passive, no closed loop; and limits, see `check_controller_limits`. Laws of
+/// tasks need operational points and the inverse of the mass matrix: `singular` names what has no
+/// mass beyond it, if anything.
+void check_controller(const SceneElement& top, const Robot& robot, const std::string& singular,
+                      const Scene& scene);
+
+/// A key at the top of a scene.
+struct SceneKey {
+  const char* name;
+  /// Reads its value into the scene. Null for what other readers take from the file: robots,
+  /// ground, obstacles and avoidance.
+  void (*read)(const SceneElement& value, const Robot& robot, Scene& scene) = nullptr;
+  /// Notes for a scene without the key, if there are any.
+  void (*note_absence)(const SceneElement& top, const Robot& robot) = nullptr;
+};
+
+/// Every key that a scene may have, in the order in which they are read.
+const std::vector<SceneKey>& scene_keys();
+
+/// Whether the controller has a motor of its own for a joint.
+bool is_driven(const Joint& joint, const Scene& scene);
+
+/// Limits of a joint in the controller: those that the scene states or waives there, else the
+/// URDF's. A motor whose current is limited has no more torque than that gives.
+Limits limits_in_controller(const Joint& joint, const SceneController& controller);
+
+/// Reports as an error what the controller has no limit of that a file states and the scene does
+/// not waive: positions of joints that have ends, speeds, torques. It guards by nothing else. So
+/// it reports ends of which one is the scene's, that leave no position between them.
+void check_controller_limits(const SceneElement& top, const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

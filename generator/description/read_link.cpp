@@ -1,10 +1,10 @@
-#include "description/read_link.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

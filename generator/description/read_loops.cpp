@@ -1,5 +1,3 @@
-#include "description/read_loops.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -8,10 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "description/list_links.hpp"
-#include "description/read_joint.hpp"
+#include "description/robot_queries.hpp"
 #include "description/rotation.hpp"
-#include "description/rpy_from_rotation.hpp"
+#include "description/urdf_parts.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,8 @@
-#include "description/read_motors.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "description/controller_limits.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 
 namespace treeline {

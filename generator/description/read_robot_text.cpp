@@ -5,13 +5,12 @@
 #include <string_view>
 #include <utility>
 
-#include "description/flat/print_urdf.hpp"
-#include "description/mjcf/read_mjcf.hpp"
+#include "description/flat/flat_model.hpp"
+#include "description/mjcf/read_bodies.hpp"
 #include "description/read_robots.hpp"
 #include "description/read_urdf.hpp"
 #include "description/scan_xml.hpp"
 #include "description/sdf/read_sdf.hpp"
-#include "description/sdf/span_tree.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "description/read_robots.hpp"
 #include "description/robot.hpp"
 #include "text/diagnostic.hpp"
 
@@ -26,5 +27,10 @@ std::optional<RobotText> as_robot_text(std::string text, const std::string& path
 
 /// The robot that the text describes, see `parse_urdf`.
 std::optional<Robot> parse_robot(const RobotText& text, Diagnostics& diagnostics);
+
+/// All robots of a scene as one URDF, as `join_robots` names them, for programs that show robots:
+/// every element of each file, with names of links, joints and materials behind the robot's name
+/// and a slash. Names of meshes are put behind it, too.
+std::string print_joined_urdf(const SceneRobots& robots);
 
 }  // namespace treeline

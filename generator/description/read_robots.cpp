@@ -7,13 +7,12 @@
 #include <set>
 #include <utility>
 
-#include "description/alias_lines.hpp"
-#include "description/default_base.hpp"
 #include "description/parse_yaml.hpp"
 #include "description/read_robot_text.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/read_urdf.hpp"
 #include "description/scene_element.hpp"
+#include "description/scene_queries.hpp"
 #include "text/identifier.hpp"
 #include "text/read_text_file.hpp"
 

@@ -1,6 +1,6 @@
-#include "description/read_rolling.hpp"
-
 #include <algorithm>
+
+#include "description/read_keys.hpp"
 
 namespace treeline {
 namespace {

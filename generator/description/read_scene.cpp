@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "description/alias_lines.hpp"
 #include "description/check_scene.hpp"
-#include "description/default_base.hpp"
 #include "description/follow_target.hpp"
 #include "description/noise.hpp"
 #include "description/parse_yaml.hpp"
-#include "description/read_constraints.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_surroundings.hpp"
 #include "description/scene_element.hpp"
-#include "description/scene_keys.hpp"
+#include "description/scene_queries.hpp"
 #include "description/snap_angles.hpp"
 #include "text/identifier.hpp"
 #include "text/read_text_file.hpp"

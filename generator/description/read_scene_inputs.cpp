@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "description/count_freedoms.hpp"
-#include "description/list_links.hpp"
-#include "description/read_controller.hpp"
 #include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
+#include "description/robot_queries.hpp"
 #include "description/scene_inputs.hpp"
+#include "description/scene_queries.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

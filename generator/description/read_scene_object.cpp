@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "description/check_inertias.hpp"
+#include "description/inertias.hpp"
 #include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 #include "text/identifier.hpp"

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/count_freedoms.hpp"
-#include "description/list_links.hpp"
-#include "description/list_rows.hpp"
 #include "description/read_number.hpp"
+#include "description/robot_queries.hpp"
+#include "description/scene_queries.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

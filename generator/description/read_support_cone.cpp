@@ -1,8 +1,8 @@
-#include "description/read_support_cone.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "description/read_keys.hpp"
 
 namespace treeline {
 namespace {

@@ -5,23 +5,13 @@
 #include <algorithm>
 #include <charconv>
 
-#include "description/check_inertias.hpp"
-#include "description/check_looks.hpp"
-#include "description/check_motion.hpp"
 #include "description/confirm_with_urdfdom.hpp"
-#include "description/connect_tree.hpp"
-#include "description/declare_world.hpp"
-#include "description/find_undefined_entity.hpp"
-#include "description/fold_follower_limits.hpp"
-#include "description/leftover_xacro.hpp"
+#include "description/inertias.hpp"
 #include "description/parse_xml.hpp"
-#include "description/read_joint.hpp"
-#include "description/read_link.hpp"
-#include "description/read_loops.hpp"
 #include "description/read_robot_text.hpp"
-#include "description/read_rotors.hpp"
-#include "description/resolve_mimics.hpp"
 #include "description/urdf_element.hpp"
+#include "description/urdf_parts.hpp"
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "description/resolve_mimics.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "description/urdf_parts.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

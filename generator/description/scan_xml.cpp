@@ -1,6 +1,10 @@
 #include "description/scan_xml.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "description/xml_faults.hpp"
 
 namespace treeline {
 namespace {
@@ -85,6 +89,67 @@ std::optional<XmlTag> next_tag(std::string_view text, std::size_t& at) {
   }
   if (at < text.size() && text[at] == '>') ++at;
   return tag;
+}
+
+namespace {
+
+/// Follows the tags of a URDF down to the inertias.
+class InertiaSearch {
+ public:
+  void enter(const XmlTag& tag) {
+    ++depth_;
+    if (depth_ == 2 && tag.name == "link") {
+      found_.emplace_back();
+      inertials_ = 0;
+      in_link_ = true;
+    } else if (depth_ == 2) {
+      in_link_ = false;
+    } else if (depth_ == 3) {
+      in_first_inertial_ = in_link_ && tag.name == "inertial" && ++inertials_ == 1;
+    } else if (depth_ == 4 && in_first_inertial_ && tag.name == "inertia" && !found_.back()) {
+      found_.back() = tag;
+    }
+  }
+
+  void leave() { --depth_; }
+
+  [[nodiscard]] std::vector<std::optional<XmlTag>> found() const { return found_; }
+
+ private:
+  int depth_ = 0, inertials_ = 0;
+  bool in_link_ = false, in_first_inertial_ = false;
+  std::vector<std::optional<XmlTag>> found_;
+};
+
+}  // namespace
+
+std::vector<std::optional<XmlTag>> find_inertia_tags(std::string_view text) {
+  InertiaSearch search;
+  for (std::size_t at = 0; const auto tag = next_tag(text, at);) {
+    if (tag->kind == XmlTag::Kind::start || tag->kind == XmlTag::Kind::empty) search.enter(*tag);
+    if (tag->kind == XmlTag::Kind::end || tag->kind == XmlTag::Kind::empty) search.leave();
+  }
+  return search.found();
+}
+
+std::optional<XmlExcess> find_excess(std::string_view text) {
+  std::size_t tags = 0, attributes = 0;
+  for (std::size_t at = 0, before = 0; const auto tag = next_tag(text, at); before = at) {
+    attributes += tag->attribute_count;
+    if (++tags > kMostTags) {
+      return XmlExcess{fmt::format("the file has more than {} tags", kMostTags), before};
+    }
+    if (tag->attribute_count > kMostAttributesOfElement) {
+      return XmlExcess{fmt::format("an element has {} attributes, more than {}",
+                                   tag->attribute_count, kMostAttributesOfElement),
+                       before};
+    }
+    if (attributes > kMostAttributes) {
+      return XmlExcess{fmt::format("the file has more than {} attributes", kMostAttributes),
+                       before};
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace treeline

@@ -28,4 +28,9 @@ inline constexpr std::size_t kKeptAttributes = 64;
 /// kind, in time linear in its length.
 std::optional<XmlTag> next_tag(std::string_view text, std::size_t& at);
 
+/// Finds for each link of a URDF, in the file's order, the tag `<inertia .../>` that counts: the
+/// first in the first `<inertial>`. A link without one has no value. `text` must be a URDF that
+/// `parse_urdf` accepts.
+std::vector<std::optional<XmlTag>> find_inertia_tags(std::string_view text);
+
 }  // namespace treeline

@@ -6,13 +6,34 @@
 #include <string>
 #include <vector>
 
-#include "description/noise_decision.hpp"
 #include "description/robot.hpp"
-#include "description/support_limits.hpp"
 #include "description/surroundings.hpp"
 #include "functions/function.hpp"
 
 namespace treeline {
+
+/// A number of a file, or a relation between several, that is taken as exact.
+struct NoiseDecision {
+  std::string file;
+  int line = 0;         ///< 1-based; 0 when unknown
+  std::string element;  ///< e.g. `robot/joint[elbow]/origin`
+  std::string text;     ///< e.g. `roll 1.1e-27 rad is 0`
+  double change = 0;    ///< by how much, rad or m; of inertias, share of the moments
+};
+using NoiseDecisions = std::vector<NoiseDecision>;
+
+/// Limits against slipping, turning, tipping and lifting of a constraint. To the world, its normal
+/// is the z axis of the constraint's axes and its forces are those of the world on the robot.
+/// Between two links, its normal is z of `other_origin`, along which the second pushes the first.
+struct SceneCone {
+  std::string constraint;
+  double friction = 0;              ///< largest ratio of tangential to normal force
+  int sides = 4;                    ///< of the pyramid within the cone of friction: 4 or 8
+  double least_force = 0;           ///< along the normal, N
+  std::optional<double> torsional;  ///< largest ratio of the moment about z to the normal force, m
+  /// Half lengths along x and y within which the centre of pressure stays, m.
+  std::optional<std::array<double, 2>> half_extents;
+};
 
 enum class Base { fixed, floating };
 enum class Axes { world, local };

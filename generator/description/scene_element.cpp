@@ -7,8 +7,8 @@
 #include <set>
 
 #include "description/read_number.hpp"
-#include "description/suggest_key.hpp"
-#include "text/note_odd_character.hpp"
+#include "description/suggestions.hpp"
+#include "text/printable.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

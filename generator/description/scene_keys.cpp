@@ -1,4 +1,3 @@
-#include "description/scene_keys.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,14 +7,12 @@
 
 #include "description/follow_target.hpp"
 #include "description/noise.hpp"
-#include "description/read_constraints.hpp"
-#include "description/read_controller.hpp"
 #include "description/read_keys.hpp"
 #include "description/read_scene_point.hpp"
 #include "description/scene_words.hpp"
 #include "description/snap_angles.hpp"
-#include "description/suggest_function.hpp"
-#include "functions/find_function.hpp"
+#include "description/suggestions.hpp"
+#include "functions/function.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "description/read_number.hpp"
-#include "text/code_point.hpp"
-#include "text/note_odd_character.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

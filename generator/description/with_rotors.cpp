@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "description/robot_queries.hpp"
+
 namespace treeline {
 namespace {
 
@@ -9,12 +11,6 @@ bool has_name(const Robot& robot, const std::string& name) {
   const auto is = [&](const auto& each) { return each.name == name; };
   return std::any_of(robot.links.begin(), robot.links.end(), is) ||
          std::any_of(robot.joints.begin(), robot.joints.end(), is);
-}
-
-int index_of_link(const Robot& robot, const std::string& name) {
-  int i = 0;
-  while (robot.links[static_cast<std::size_t>(i)].name != name) ++i;
-  return i;
 }
 
 /// A moment about the axis alone.
@@ -36,7 +32,8 @@ void add_rotor(std::size_t driven, const SceneRotor& rotor, Robot& robot) {
   turning.name = joint.name + "_rotor";
   while (has_name(robot, turning.name)) turning.name += "_";
   turning.type = JointType::continuous;
-  turning.parent = rotor.link.empty() ? joint.parent : index_of_link(robot, rotor.link);
+  turning.parent =
+      rotor.link.empty() ? joint.parent : static_cast<int>(index_of_link(robot, rotor.link));
   turning.child = static_cast<int>(robot.links.size());
   turning.axis = rotor.axis.value_or(joint.axis);
   if (!rotor.axis) turning.origin = joint.origin;

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "drawing/print_solids.hpp"
-#include "drawing/robot_solids.hpp"
+#include "drawing/scene_solids.hpp"
 #include "report/svg.hpp"
 #include "text/printable.hpp"
 

@@ -1,10 +1,10 @@
-#include "drawing/print_solids.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+
+#include "drawing/scene_solids.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,6 @@
-#include "drawing/read_meshes.hpp"
-
 #include <set>
 
+#include "drawing/read_visuals.hpp"
 #include "drawing/simplify_triangles.hpp"
 
 namespace treeline {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,18 @@ std::vector<Visual> read_visuals(const std::string& urdf, const std::string& fil
 /// left out, with a warning, but for spheres of radius 0, which are points.
 std::vector<Visual> read_collisions(const std::string& urdf, const std::string& file,
                                     Diagnostics& diagnostics);
+
+/// A mesh that cannot be read.
+struct UnreadMesh {
+  std::string file;  ///< as the URDF names it
+  std::string problem, remedy;
+};
+
+/// Reads the meshes of visuals, and reduces them to `most` triangles in all. `paths` has the file
+/// of each name in the URDF; a mesh without one stays away. Shapes that stand in are dropped from
+/// links with a mesh that was read. Returns what was not.
+std::vector<UnreadMesh> read_meshes(std::vector<Visual>& visuals,
+                                    const std::map<std::string, std::string>& paths,
+                                    std::size_t most);
 
 }  // namespace treeline

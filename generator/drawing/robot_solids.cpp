@@ -1,6 +1,6 @@
-#include "drawing/robot_solids.hpp"
-
 #include <algorithm>
+
+#include "drawing/scene_solids.hpp"
 
 namespace treeline {
 namespace {

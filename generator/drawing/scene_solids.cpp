@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "description/isometry_of.hpp"
+#include "description/group_bodies.hpp"
 
 namespace treeline {
 namespace {

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "description/rotation.hpp"
-#include "description/rpy_from_rotation.hpp"
 
 namespace treeline {
 namespace {

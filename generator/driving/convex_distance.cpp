@@ -1,9 +1,9 @@
-#include "driving/convex_distance.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "driving/robot_shapes.hpp"
 
 namespace treeline {
 namespace {

@@ -1,17 +1,37 @@
 #pragma once
 
+#include <fstream>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "drive/reference_motion.hpp"
+#include "drive/robot_description.hpp"
 #include "drive/wire.hpp"
-#include "driving/reference.hpp"
 #include "driving/simulation_options.hpp"
 #include "launch/launch.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {
+
+/// A motion that a driven robot can follow.
+struct Reference {
+  std::vector<double> times;  ///< s, growing
+  std::vector<double> q;      ///< a row a time
+
+  /// For a loop; points into this object.
+  [[nodiscard]] drive::RecordedMotion motion() const {
+    return {times.data(), q.data(), static_cast<int>(times.size())};
+  }
+};
+
+/// Reads a record of `drive`, or a table as `treeline draw --motion` takes it. `home` stands for
+/// coordinates that it does not have. Errors: those of reading; fewer than two moments; coordinates
+/// beyond the limits of the robot.
+std::optional<Reference> read_reference(const std::string& path,
+                                        const drive::RobotDescription& robot,
+                                        const std::vector<double>& home, Diagnostics& diagnostics);
 
 /// How a robot is driven.
 struct DriveSettings {
@@ -47,5 +67,34 @@ struct DriveOutcome {
 /// that cannot be listened on; no robot answers.
 std::optional<DriveOutcome> run_drive(const LaunchedRobot& robot, const DriveSettings& settings,
                                       Diagnostics& diagnostics);
+
+/// The file of `--record`: JSON lines, of which the first is the `hello` of the drive.
+class RecordWriter {
+ public:
+  /// `file` empty: nothing is recorded.
+  explicit RecordWriter(std::string file) : file_(std::move(file)) {}
+
+  bool open(const std::string& hello, Diagnostics& diagnostics);
+  bool is_wanted() const { return !file_.empty(); }
+  /// Whether the state of `time` (s) is to be recorded: a hundred are a second.
+  bool wants_state(double time);
+  /// Writes a line. The first that cannot be written is said; the robot goes on without its record.
+  void write(const std::string& line, double time);
+  /// Writes what is left. Returns whether all of the record has been written.
+  bool close(double time);
+
+ private:
+  void watch(double time);
+
+  std::string file_;
+  std::ofstream stream_;
+  double recorded_ = -1;
+  bool failed_ = false;
+};
+
+/// Readies the process for a robot that is driven: nobody who stops reading what is said or
+/// recorded, and no limit on the size of files, ends it, and threads that begin later take little
+/// of the memory that is locked. Call this before they begin.
+void outlast_others();
 
 }  // namespace treeline

@@ -1,4 +1,3 @@
-#include "driving/find_bent_start.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>

@@ -1,12 +1,11 @@
-#include "driving/find_standing_start.hpp"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "description/index_of_link.hpp"
-#include "description/isometry_of.hpp"
+#include "description/group_bodies.hpp"
+#include "description/robot_queries.hpp"
 #include "drawing/place_links.hpp"
+#include "driving/find_start.hpp"
 
 namespace treeline {
 namespace {

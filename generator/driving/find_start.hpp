@@ -7,6 +7,7 @@
 
 #include "drive/robot_description.hpp"
 #include "drive/robot_library.hpp"
+#include "launch/launch.hpp"
 
 namespace treeline {
 
@@ -39,6 +40,24 @@ using AdmitsStart = std::function<bool(const std::vector<double>& q)>;
 /// place. Nothing if it can hold its weight at `start`.
 std::optional<std::vector<double>> find_holdable_start(const drive::RobotLibrary& library,
                                                        const drive::RobotDescription& robot,
+                                                       const std::vector<double>& start,
+                                                       const AdmitsStart& admits);
+
+/// A place near `start` where the operational points can be moved well in every row of their task:
+/// stretched arms are bent. Found by moving the joint that helps most, one after the other, where
+/// the robot still holds its weight with 70 % of its effort limits, or all of them where it needs
+/// more at `start`, and where `admits` does. Nothing if the task is far from singular at `start`,
+/// or no better place was found.
+std::optional<std::vector<double>> find_bent_start(const drive::RobotLibrary& library,
+                                                   const drive::RobotDescription& robot,
+                                                   const std::vector<double>& start,
+                                                   const AdmitsStart& admits);
+
+/// Where a robot stands well on a ground: its feet, those of `constraints`, as level and as far
+/// apart as with all joints at 0, its legs bent by 6 % of its height where they can be, and its
+/// centre of mass above the middle of what of them touches the ground. Nothing where no such place
+/// is near, where the robot could not hold its weight there, or where it is not admitted.
+std::optional<std::vector<double>> find_standing_start(const LaunchedRobot& robot,
                                                        const std::vector<double>& start,
                                                        const AdmitsStart& admits);
 

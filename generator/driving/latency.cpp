@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "drive/session.hpp"
-#include "driving/latency_report.hpp"
 #include "driving/loop_handle.hpp"
 #include "driving/robot_elsewhere.hpp"
 #include "interruption/clean_up.hpp"

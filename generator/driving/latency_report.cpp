@@ -1,11 +1,10 @@
-#include "driving/latency_report.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "driving/latency.hpp"
 #include "report/svg.hpp"
 #include "text/json_text.hpp"
 #include "text/printable.hpp"

@@ -1,8 +1,8 @@
-#include "driving/outlast_others.hpp"
-
 #include <malloc.h>
 
 #include <csignal>
+
+#include "driving/driver.hpp"
 
 namespace treeline {
 

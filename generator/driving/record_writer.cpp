@@ -1,7 +1,6 @@
-#include "driving/record_writer.hpp"
-
 #include <fmt/format.h>
 
+#include "driving/driver.hpp"
 #include "terminal/write_output.hpp"
 #include "text/printable.hpp"
 

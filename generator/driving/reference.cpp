@@ -1,8 +1,7 @@
-#include "driving/reference.hpp"
-
 #include <fmt/format.h>
 
 #include "drawing/recorded_motion.hpp"
+#include "driving/driver.hpp"
 
 namespace treeline {
 namespace {

@@ -8,8 +8,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "driving/find_bent_start.hpp"
-#include "driving/find_standing_start.hpp"
 #include "driving/find_start.hpp"
 #include "driving/loop_handle.hpp"
 #include "driving/robot_shapes.hpp"

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "description/index_of_link.hpp"
-#include "driving/convex_distance.hpp"
+#include "description/robot_queries.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "emission/adapt_controller.hpp"
-
 #include <fmt/format.h>
 
 #include <utility>
@@ -7,6 +5,7 @@
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_faults.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

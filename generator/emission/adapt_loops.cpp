@@ -1,14 +1,12 @@
-#include "emission/adapt_loops.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include "emission/backend.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/print_constants.hpp"
+#include "emission/body_steps.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
-#include "emission/print_sin_cos.hpp"
 #include "emission/templates.hpp"
 #include "target/target.hpp"
 

@@ -4,9 +4,8 @@
 
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/print_sin_cos.hpp"
-#include "emission/print_square_root.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

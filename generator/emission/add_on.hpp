@@ -7,12 +7,7 @@
 #include "emission/contents.hpp"
 #include "emission/generated_file.hpp"
 #include "emission/list_sources.hpp"
-#include "emission/print_controller.hpp"
-#include "emission/print_endings.hpp"
-#include "emission/print_ground.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/print_loops.hpp"
-#include "emission/print_selftest.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 

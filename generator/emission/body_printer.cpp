@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "emission/choose_headings.hpp"
-#include "emission/choose_names.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/comment.hpp"
-#include "emission/select_statements.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
 #include "program/find_sections.hpp"
 
 namespace treeline {

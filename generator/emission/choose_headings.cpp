@@ -1,11 +1,11 @@
-#include "emission/choose_headings.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
+
+#include "emission/body_steps.hpp"
 
 namespace treeline {
 namespace {

@@ -1,12 +1,10 @@
-#include "emission/choose_names.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
-#include "emission/find_angle_sums.hpp"
+#include "emission/body_steps.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {

@@ -1,8 +1,7 @@
-#include "emission/count_stack.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "emission/costs.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"

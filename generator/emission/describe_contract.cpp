@@ -1,13 +1,11 @@
-#include "emission/describe_contract.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/backend.hpp"
 #include "emission/comment.hpp"
-#include "emission/count_stack.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/generator_version.hpp"
-#include "emission/print_identity.hpp"
+#include "emission/costs.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/print_parts.hpp"

@@ -1,5 +1,3 @@
-#include "emission/describe_controller.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +5,8 @@
 
 #include "emission/backend.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/count_stack.hpp"
+#include "emission/costs.hpp"
+#include "emission/descriptions.hpp"
 #include "passes/count_operations.hpp"
 #include "text/printable.hpp"
 

@@ -1,5 +1,3 @@
-#include "emission/describe_damped.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <stdexcept>
 
 #include "emission/comment.hpp"
-#include "emission/damped_cost.hpp"
+#include "emission/costs.hpp"
+#include "emission/descriptions.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,9 @@
-#include "emission/describe_joints.hpp"
-
 #include <cmath>
 #include <limits>
 #include <sstream>
 #include <vector>
 
+#include "emission/descriptions.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

@@ -1,11 +1,10 @@
-#include "emission/describe_program.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <vector>
 
+#include "emission/descriptions.hpp"
 #include "passes/count_operations.hpp"
 #include "program/ending.hpp"
 

@@ -6,11 +6,9 @@
 #include "emission/backend.hpp"
 #include "emission/check_emission.hpp"
 #include "emission/comment.hpp"
-#include "emission/guard_headers.hpp"
-#include "emission/print_identity.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_manifest.hpp"
-#include "emission/print_project.hpp"
-#include "emission/state_licence.hpp"
 
 namespace treeline {
 

@@ -1,7 +1,7 @@
-#include "emission/fill_template.hpp"
-
 #include <set>
 #include <stdexcept>
+
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

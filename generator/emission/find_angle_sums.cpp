@@ -1,5 +1,3 @@
-#include "emission/find_angle_sums.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+#include "emission/body_steps.hpp"
 
 namespace treeline {
 namespace {

@@ -1,4 +1,4 @@
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 
 namespace treeline {
 

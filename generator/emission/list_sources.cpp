@@ -1,9 +1,14 @@
 #include "emission/list_sources.hpp"
 
 #include "emission/backend.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/comment.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/list_source_holes.hpp"
+#include "emission/print_target.hpp"
 
 namespace treeline {
+
 OwnFlags choose_own_flags(Optimize optimize, const Program& program) {
   const bool huge = is_huge(program);
   return {optimize == Optimize::size && !huge, is_long(program), huge};
@@ -34,6 +39,16 @@ std::vector<Source> list_sources(const Contents& contents) {
   }
   if (joins) add(context.name + "_loops", Source::Of::joined, {is_small});
   return sources;
+}
+
+std::map<std::string, std::string> list_source_holes(const EmissionContext& context,
+                                                     const Program& program,
+                                                     const std::string& definition) {
+  return {{"head", describe_source(program)},
+          {"cost", describe_cost(program)},
+          {"name", context.name},
+          {"section", print_section_macro(context)},
+          {"signature", print_section(context) + wrap_line(definition + " {", 0)}};
 }
 
 }  // namespace treeline

@@ -1,23 +1,15 @@
-#include "emission/print_controller.hpp"
-
 #include <fmt/format.h>
 
-#include "emission/adapt_controller.hpp"
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/controller_inputs.hpp"
-#include "emission/describe_controller.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
-#include "emission/print_constants.hpp"
-#include "emission/print_controller_header.hpp"
-#include "emission/print_defaults.hpp"
-#include "emission/print_own_functions.hpp"
-#include "emission/print_sin_cos.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {

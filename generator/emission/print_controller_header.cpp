@@ -1,5 +1,3 @@
-#include "emission/print_controller_header.hpp"
-
 #include <fmt/format.h>
 
 #include <utility>
@@ -9,10 +7,10 @@
 #include "emission/comment.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_inputs.hpp"
-#include "emission/describe_controller.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
-#include "emission/wrap_line.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

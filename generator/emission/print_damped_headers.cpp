@@ -1,5 +1,3 @@
-#include "emission/print_damped_headers.hpp"
-
 #include <fmt/format.h>
 
 #include <string>
@@ -9,8 +7,9 @@
 #include "core/emitted_damped.hpp"
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/print_constants.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

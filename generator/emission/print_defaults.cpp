@@ -1,5 +1,3 @@
-#include "emission/print_defaults.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +10,8 @@
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "emission/print_endings.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,10 +7,11 @@
 #include "core/in_eights.hpp"
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/print_constants.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
-#include "emission/wrap_line.hpp"
 #include "program/ending.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "emission/print_ground.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,16 +9,13 @@
 #include "core/emitted_limits.hpp"
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
-#include "emission/print_constants.hpp"
-#include "emission/print_ground_tables.hpp"
-#include "emission/print_own_functions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
-#include "emission/wrap_line.hpp"
 #include "passes/count_operations.hpp"
 #include "text/printable.hpp"
 

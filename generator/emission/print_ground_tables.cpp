@@ -1,5 +1,3 @@
-#include "emission/print_ground_tables.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,9 @@
 #include <vector>
 
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/print_constants.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 namespace {

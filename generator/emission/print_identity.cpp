@@ -1,13 +1,11 @@
-#include "emission/print_identity.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "emission/backend.hpp"
-#include "emission/digest.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_manifest.hpp"
 #include "emission/templates.hpp"
 

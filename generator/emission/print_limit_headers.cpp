@@ -1,5 +1,3 @@
-#include "emission/print_limit_headers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,11 +7,12 @@
 #include "core/emitted_limits.hpp"
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
+#include "emission/body_steps.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/describe_limited.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/limit_cost.hpp"
-#include "emission/print_constants.hpp"
+#include "emission/costs.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "emission/emitted_text.hpp"
 #include "emission/print_link_table.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "emission/c_family_syntax.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/print_link_inputs.hpp"
-#include "emission/wrap_line.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

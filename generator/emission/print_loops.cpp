@@ -1,5 +1,3 @@
-#include "emission/print_loops.hpp"
-
 #include <fmt/format.h>
 
 #include <span>
@@ -7,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "emission/adapt_loops.hpp"
 #include "emission/backend.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_link_inputs.hpp"
 #include "emission/print_link_table.hpp"
 #include "emission/templates.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline {
 namespace {

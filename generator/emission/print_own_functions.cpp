@@ -1,9 +1,8 @@
-#include "emission/print_own_functions.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/backend.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 

@@ -9,7 +9,7 @@
 
 #include "emission/body_printer.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "emission/print_project.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "emission/backend.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_target.hpp"
 #include "emission/templates.hpp"
 

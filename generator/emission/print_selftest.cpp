@@ -1,5 +1,3 @@
-#include "emission/print_selftest.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,8 +7,8 @@
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/print_controller.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/selftest_facts.hpp"
 #include "emission/templates.hpp"
 #include "text/printable.hpp"

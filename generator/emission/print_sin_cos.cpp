@@ -1,5 +1,3 @@
-#include "emission/print_sin_cos.hpp"
-
 #include <fmt/format.h>
 
 #include <map>
@@ -11,7 +9,8 @@
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/core_headers.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "emission/print_square_root.hpp"
-
 #include <fmt/format.h>
 
 #include <string>
@@ -8,6 +6,7 @@
 #include "emission/adapt.hpp"
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
+#include "emission/print_files.hpp"
 #include "emission/templates.hpp"
 
 namespace treeline {

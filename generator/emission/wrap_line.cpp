@@ -1,4 +1,4 @@
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

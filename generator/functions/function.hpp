@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 
 #include "functions/function_rows.hpp"
 
@@ -111,5 +114,14 @@ inline constexpr auto kDerivativeFunctions =
 inline constexpr std::array kDampedFunctions = {Function::jacobian, Function::bias_acceleration,
                                                 Function::inverse_dynamics,
                                                 Function::lambda_inverse};
+
+/// The function of that name that a scene may ask for; nothing when there is none.
+std::optional<Function> find_function(std::string_view name);
+
+/// The symbol of the matrix that is solved with; empty where there is none.
+const char* matrix_symbol(Solve solve);
+
+/// Symbols of the matrices that are inverted, with M before one that is made by inverting M.
+std::string matrix_symbols(Solve solve);
 
 }  // namespace treeline

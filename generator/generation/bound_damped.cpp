@@ -1,5 +1,3 @@
-#include "generation/bound_damped.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 
 #include "bounds/draw_inputs.hpp"
 #include "choice/evaluate_damped.hpp"
-#include "description/effective_mass_limits.hpp"
+#include "description/scene_queries.hpp"
+#include "generation/compose.hpp"
 #include "program/evaluate.hpp"
 
 namespace treeline {

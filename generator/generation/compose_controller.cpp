@@ -1,5 +1,3 @@
-#include "generation/compose_controller.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,15 +5,13 @@
 
 #include "choice/choose_loops.hpp"
 #include "choice/function_mechanisms.hpp"
-#include "description/controller_limits.hpp"
-#include "description/find_joint.hpp"
-#include "generation/find_speed_rise.hpp"
+#include "description/read_keys.hpp"
+#include "description/robot_queries.hpp"
+#include "generation/compose.hpp"
 #include "generation/generate_code.hpp"
-#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/run_passes.hpp"
-#include "passes/take_sines.hpp"
-#include "recursion/routes/trace_together.hpp"
+#include "passes/passes.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

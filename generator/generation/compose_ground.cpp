@@ -1,15 +1,13 @@
-#include "generation/compose_ground.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "choice/function_mechanisms.hpp"
+#include "generation/compose.hpp"
 #include "generation/generate_code.hpp"
-#include "passes/canonicalize.hpp"
-#include "passes/run_passes.hpp"
-#include "recursion/routes/trace_ground.hpp"
+#include "passes/passes.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,6 @@
-#include "generation/count_inputs.hpp"
-
 #include "choice/function_mechanisms.hpp"
 #include "description/scene_inputs.hpp"
+#include "generation/compose.hpp"
 #include "passes/count_operations.hpp"
 
 namespace treeline {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "description/find_joint.hpp"
+#include "description/robot_queries.hpp"
 #include "generation/append_notes.hpp"
 
 namespace treeline {

@@ -7,9 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "description/effective_mass_limits.hpp"
-#include "description/find_joint.hpp"
-#include "description/list_rows.hpp"
+#include "description/robot_queries.hpp"
+#include "description/scene_queries.hpp"
 #include "generation/append_notes.hpp"
 #include "mechanism/digits50_from_file.hpp"
 #include "mechanism/home_of.hpp"

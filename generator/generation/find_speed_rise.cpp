@@ -1,8 +1,11 @@
-#include "generation/find_speed_rise.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "emission/controller_unit.hpp"
+#include "generation/compose.hpp"
+#include "generation/warnings.hpp"
 #include "recursion/methods/inverse_dynamics.hpp"
 #include "recursion/methods/mass_matrix.hpp"
 #include "recursion/methods/ordinary_states.hpp"
@@ -32,6 +35,20 @@ double find_speed_rise(const Mechanism& mechanism,
   double longest = 0;
   for (const auto& each : seconds) longest = std::max(longest, median(each));
   return std::min(std::ceil(longest * 100) / 100, kLongest);  // the same on every host
+}
+
+void warn_of_speed_rise(const Scene& scene, const Generation& generation,
+                        Diagnostics& diagnostics) {
+  if (!generation.controller || !scene.controller) return;
+  const double asked = scene.controller->speed_rise;
+  const double emitted = generation.controller->settings.speed_rise;
+  if (asked == SceneController{}.speed_rise || !(emitted > asked)) return;
+  diagnostics.add(
+      {Severity::warning, scene.file, 0, "controller/speed_rise",
+       fmt::format("{} s is asked for, and {} s is emitted: joints that rise to their limits of "
+                   "speed sooner take more than half of the torque that gravity leaves the motors",
+                   asked, emitted),
+       fmt::format("write speed_rise: {}, or lower the limits of speed (key limits)", emitted)});
 }
 
 }  // namespace treeline

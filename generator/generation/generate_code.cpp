@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "emission/backend.hpp"
-#include "emission/describe_contract.hpp"
-#include "emission/print_controller.hpp"
-#include "generation/bound_damped.hpp"
-#include "generation/compose_controller.hpp"
-#include "generation/compose_ground.hpp"
-#include "generation/count_inputs.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/print_files.hpp"
+#include "generation/compose.hpp"
 #include "generation/describe_limits.hpp"
 #include "generation/describe_scene.hpp"
 #include "generation/quote_for_shell.hpp"

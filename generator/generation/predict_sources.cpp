@@ -1,6 +1,6 @@
 #include "generation/predict_sources.hpp"
 
-#include "description/effective_mass_limits.hpp"
+#include "description/scene_queries.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/ground_unit.hpp"
 #include "emission/list_sources.hpp"

@@ -1,14 +1,13 @@
-#include "generation/warn_of_size.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "description/scene_inputs.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/descriptions.hpp"
+#include "generation/warnings.hpp"
 #include "passes/count_operations.hpp"
 #include "program/ending.hpp"
-#include "recursion/routes/trace_loops.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "inspect/choose_rows.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "bounds/rng.hpp"
-#include "description/count_freedoms.hpp"
+#include "description/scene_queries.hpp"
+#include "inspect/propose_scene.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"

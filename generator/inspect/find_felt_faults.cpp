@@ -1,10 +1,9 @@
-#include "inspect/find_felt_faults.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "description/nearest_inertia.hpp"
+#include "description/inertias.hpp"
+#include "inspect/inspect_robot.hpp"
 #include "inspect/motion_of_bodies.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/symmetric_matrices.hpp"

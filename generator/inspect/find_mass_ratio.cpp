@@ -1,11 +1,10 @@
-#include "inspect/find_mass_ratio.hpp"
-
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
-#include "inspect/condition.hpp"
+#include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {
 namespace {
@@ -63,6 +62,10 @@ std::optional<MassRatio> find_mass_ratio(const interpreter::Model<double>& model
     if (!least || found->condition < least->condition) least = found;
   }
   return least;
+}
+
+double unit_condition(const Eigen::MatrixXd& A) {
+  return scaled_condition(A, A.diagonal());
 }
 
 }  // namespace treeline

@@ -1,11 +1,9 @@
-#include "inspect/inspect_inertias.hpp"
-
 #include <algorithm>
 #include <map>
 #include <string>
 
-#include "description/nearest_inertia.hpp"
-#include "inspect/find_felt_faults.hpp"
+#include "description/inertias.hpp"
+#include "inspect/inspect_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "inspect/inspect_loops.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "inspect/condition.hpp"
 #include "inspect/draw_states.hpp"
+#include "inspect/inspect_robot.hpp"
 #include "interpreter/loop_instances.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "oracle/symmetric_matrices.hpp"

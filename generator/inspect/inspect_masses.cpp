@@ -1,8 +1,7 @@
-#include "inspect/inspect_masses.hpp"
-
 #include <cmath>
 #include <limits>
 
+#include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
 #include "oracle/model_from_robot.hpp"

@@ -1,5 +1,3 @@
-#include "inspect/inspect_risks.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include "inspect/condition.hpp"
 #include "inspect/draw_states.hpp"
-#include "inspect/find_mass_ratio.hpp"
+#include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
-#include "oracle/find_massless_directions.hpp"
+#include "oracle/leave_out_singular.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "oracle/symmetric_matrices.hpp"
 

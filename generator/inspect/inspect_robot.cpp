@@ -4,15 +4,9 @@
 
 #include <algorithm>
 
-#include "description/check_inertias.hpp"
-#include "description/count_freedoms.hpp"
-#include "description/default_base.hpp"
-#include "description/joints_depth_first.hpp"
-#include "description/list_rows.hpp"
-#include "inspect/inspect_inertias.hpp"
-#include "inspect/inspect_loops.hpp"
-#include "inspect/inspect_masses.hpp"
-#include "inspect/inspect_risks.hpp"
+#include "description/inertias.hpp"
+#include "description/robot_queries.hpp"
+#include "description/scene_queries.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "text/identifier.hpp"
 

@@ -1,7 +1,7 @@
-#include "inspect/mark_half_legs.hpp"
-
 #include <algorithm>
 #include <limits>
+
+#include "inspect/recognise_robot.hpp"
 
 namespace treeline {
 namespace {

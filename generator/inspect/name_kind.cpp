@@ -1,5 +1,3 @@
-#include "inspect/name_kind.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "inspect/end_names.hpp"
+#include "inspect/recognise_robot.hpp"
 
 namespace treeline {
 namespace {

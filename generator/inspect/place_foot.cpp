@@ -1,6 +1,6 @@
-#include "inspect/place_foot.hpp"
-
 #include <algorithm>
+
+#include "inspect/propose_scene.hpp"
 
 namespace treeline {
 namespace {

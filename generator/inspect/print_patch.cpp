@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "inspect/text_edit.hpp"
+#include "inspect/inspect_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -5,10 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "description/count_freedoms.hpp"
-#include "description/list_rows.hpp"
-#include "description/read_rotors.hpp"
-#include "inspect/choose_rows.hpp"
+#include "description/scene_queries.hpp"
+#include "description/urdf_parts.hpp"
 #include "inspect/propose_scene.hpp"
 #include "text/identifier.hpp"
 #include "text/printable.hpp"

@@ -5,10 +5,9 @@
 #include <map>
 
 #include "inspect/inspect_robot.hpp"
-#include "inspect/print_inertias.hpp"
+#include "inspect/print_tables.hpp"
 #include "text/align_columns.hpp"
 #include "text/printable.hpp"
-#include "text/wrap_words.hpp"
 
 namespace treeline {
 namespace {

@@ -8,12 +8,9 @@
 #include <set>
 #include <tuple>
 
-#include "description/count_freedoms.hpp"
-#include "description/default_base.hpp"
 #include "description/group_bodies.hpp"
-#include "inspect/choose_rows.hpp"
+#include "description/scene_queries.hpp"
 #include "inspect/end_names.hpp"
-#include "inspect/place_foot.hpp"
 #include "inspect/recognise_robot.hpp"
 #include "text/identifier.hpp"
 

@@ -1,15 +1,32 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "description/group_bodies.hpp"
 #include "description/robot.hpp"
 #include "description/scene.hpp"
-#include "inspect/place_foot.hpp"
 
 namespace treeline {
+
+/// A ball or a box by which a link collides.
+struct TouchShape {
+  std::string link;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of its middle in the link's frame
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();          ///< edges of a box, m; 0 of a ball
+};
+
+/// Where a foot touches the ground, in the frame of its body's first link: the middle of its lowest
+/// balls, else of the lowest side of its boxes, at q = 0. Nothing where that is not below its
+/// joint.
+std::optional<Eigen::Vector3d> place_foot(const Robot& robot, const BodyTree& tree,
+                                          const Body& body, const Eigen::Vector3d& up,
+                                          const std::vector<TouchShape>& shapes);
 
 /// A scene to start from, guessed from the shape of a robot and its names.
 struct SceneProposal {
@@ -34,5 +51,18 @@ SceneProposal propose_scene(const Robot& robot, std::optional<Base> base,
 /// the reader; `functions` are those that the scene permits.
 std::string print_scene(const Robot& robot, const SceneProposal& proposal, const std::string& file,
                         const std::vector<Function>& functions);
+
+/// Number of random states within the limits on which the choice is based.
+inline constexpr int kRowStates = 9;
+
+/// Chooses the rows of each of the points, which come with all rows: those that their links can
+/// move in independently of each other. Each point is first considered alone, with the joints of
+/// its own chain and the base at rest; then all of them together, translations before rotations.
+/// Some points may keep no row.
+void choose_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>& points);
+
+/// Keeps, of the points' rows, those that can be moved independently of each other in half of some
+/// random states, translations before rotations.
+void keep_independent_rows(const Robot& robot, const Scene& scene, std::vector<ScenePoint>& points);
 
 }  // namespace treeline

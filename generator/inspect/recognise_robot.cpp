@@ -5,11 +5,9 @@
 #include <map>
 #include <tuple>
 
-#include "description/default_base.hpp"
+#include "description/scene_queries.hpp"
 #include "inspect/body_shapes.hpp"
 #include "inspect/end_names.hpp"
-#include "inspect/mark_half_legs.hpp"
-#include "inspect/name_kind.hpp"
 
 namespace treeline {
 namespace {

@@ -36,4 +36,13 @@ struct RecognisedRobot {
 
 RecognisedRobot recognise_robot(const Robot& robot, const BodyTree& tree);
 
+/// Marks the second of two limbs that are halves of one leg as its side branch: of eight legs or
+/// more, each turns about the line of its nearest neighbour, which is far nearer than the others,
+/// as the two motors of each leg of a Minitaur. Files leave out where such halves meet.
+void mark_half_legs(std::vector<Limb>& limbs);
+
+/// Says of what kind a robot with these limbs is and whether it floats, and why. `base` is the body
+/// that the limbs start from.
+void name_kind(const Robot& robot, const Body& base, RecognisedRobot& found);
+
 }  // namespace treeline

@@ -1,13 +1,12 @@
-#include "inspect/repair_urdf.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "description/find_inertia_tags.hpp"
 #include "description/read_urdf.hpp"
+#include "description/scan_xml.hpp"
+#include "inspect/inspect_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "description/list_rows.hpp"
-#include "inspect/choose_rows.hpp"
+#include "description/scene_queries.hpp"
+#include "inspect/propose_scene.hpp"
 
 namespace treeline {
 

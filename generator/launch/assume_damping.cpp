@@ -1,11 +1,10 @@
-#include "launch/assume_damping.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "description/total_mass.hpp"
+#include "description/robot_queries.hpp"
+#include "launch/driven_scenes.hpp"
 
 namespace treeline {
 namespace {

@@ -1,18 +1,16 @@
-#include "launch/compile_robot.hpp"
-
 #include <algorithm>
 #include <fstream>
 #include <optional>
 #include <utility>
 
 #include "compilation/compile_folder.hpp"
-#include "compilation/distrust_folder.hpp"
 #include "compilation/keep_library.hpp"
 #include "compilation/run_commands.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/descriptions.hpp"
 #include "emission/emission_context.hpp"
 #include "emission/ground_unit.hpp"
-#include "emission/print_ground.hpp"
+#include "emission/print_files.hpp"
+#include "launch/print_robot.hpp"
 
 namespace treeline {
 namespace {

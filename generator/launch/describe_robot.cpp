@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "description/find_joint.hpp"
-#include "description/list_rows.hpp"
+#include "description/robot_queries.hpp"
 #include "description/rotation.hpp"
-#include "description/total_mass.hpp"
-#include "launch/print_closed_loops.hpp"
+#include "description/scene_queries.hpp"
+#include "launch/print_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -1,11 +1,10 @@
-#include "launch/describe_surroundings.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
 #include "description/rotation.hpp"
+#include "launch/describe_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -6,10 +6,8 @@
 #include <utility>
 
 #include "description/follow_target.hpp"
-#include "description/total_mass.hpp"
-#include "launch/assume_damping.hpp"
-#include "launch/print_closed_loops.hpp"
-#include "launch/print_soles.hpp"
+#include "description/robot_queries.hpp"
+#include "launch/print_robot.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 

@@ -24,4 +24,9 @@ Scene link_scene(const Robot& robot, const Scene& control);
 Scene ground_scene(const Robot& robot, const Scene& control, const SceneGround& ground,
                    Diagnostics& diagnostics);
 
+/// Gives a scene without `damped` one that suits the robot, with a note, so that its task yields
+/// near singularities: directions that feel heavier than six times what moves, in rotations at an
+/// eighth of the robot's reach. Tasks with priorities or `singular: exact` are left as they are.
+void assume_damping(const Robot& robot, Scene& scene, Diagnostics& diagnostics);
+
 }  // namespace treeline

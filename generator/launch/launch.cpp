@@ -5,14 +5,11 @@
 #include <fstream>
 #include <utility>
 
-#include "compilation/write_work_file.hpp"
-#include "emission/digest.hpp"
+#include "compilation/temporary_folder.hpp"
+#include "emission/generated_file.hpp"
 #include "emission/write_files.hpp"
-#include "launch/compile_robot.hpp"
 #include "launch/describe_robot.hpp"
-#include "launch/describe_surroundings.hpp"
 #include "launch/driven_scenes.hpp"
-#include "launch/print_closed_loops.hpp"
 #include "launch/print_robot.hpp"
 #include "launch/runtime_headers.hpp"
 #include "trial/generate_tried.hpp"

@@ -1,13 +1,12 @@
-#include "launch/print_closed_loops.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <vector>
 
-#include "description/list_rows.hpp"
 #include "description/rotation.hpp"
+#include "description/scene_queries.hpp"
+#include "launch/print_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -6,10 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "launch/describe_robot.hpp"
-#include "launch/print_closed_loops.hpp"
-#include "launch/print_soles.hpp"
 #include "launch/templates.hpp"
 #include "text/printable.hpp"
 

@@ -1,5 +1,3 @@
-#include "launch/print_soles.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -8,8 +6,8 @@
 #include <vector>
 
 #include "description/group_bodies.hpp"
-#include "description/index_of_link.hpp"
-#include "description/isometry_of.hpp"
+#include "description/robot_queries.hpp"
+#include "launch/print_robot.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,7 @@
-#include "mechanism/absorb_turn.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "mechanism/build_steps.hpp"
 
 namespace treeline {
 namespace {

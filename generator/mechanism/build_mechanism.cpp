@@ -6,15 +6,13 @@
 #include <optional>
 #include <utility>
 
-#include "description/joints_depth_first.hpp"
 #include "description/noise.hpp"
+#include "description/robot_queries.hpp"
 #include "description/rotation.hpp"
 #include "description/snap_angles.hpp"
 #include "description/with_rotors.hpp"
-#include "mechanism/add_drives.hpp"
+#include "mechanism/build_steps.hpp"
 #include "mechanism/digits50_from_file.hpp"
-#include "mechanism/place_inputs.hpp"
-#include "mechanism/place_scene.hpp"
 
 namespace treeline {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "mechanism/absorb_turn.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "mechanism/build_steps.hpp"
 
 // A link's frame may be turned about its joint axis and slid along it (a prismatic link's frame may
 // be anywhere) without changing q, because the placement commutes with the joint's motion. A

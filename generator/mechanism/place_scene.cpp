@@ -1,12 +1,10 @@
-#include "mechanism/place_scene.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <set>
 
 #include "description/rotation.hpp"
+#include "mechanism/build_steps.hpp"
 #include "mechanism/digits50_from_file.hpp"
-#include "mechanism/place_inputs.hpp"
 #include "mechanism/resolution.hpp"
 
 namespace treeline {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "description/noise_of_center.hpp"
+#include "description/noise.hpp"
 #include "mechanism/mechanism.hpp"
 
 namespace treeline {

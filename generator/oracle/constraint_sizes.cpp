@@ -1,14 +1,12 @@
-#include "oracle/constraint_sizes.hpp"
-
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "interpreter/loop_instances.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
-#include "oracle/interpret_constraints.hpp"
+#include "oracle/group_sizes.hpp"
+#include "oracle/interpret.hpp"
 #include "oracle/symmetric_matrices.hpp"
 #include "recursion/algebra/pivot_rule.hpp"
 

@@ -1,11 +1,10 @@
-#include "oracle/contact_sizes.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "functions/function_table.hpp"
 #include "oracle/entries.hpp"
-#include "oracle/interpret_contacts.hpp"
+#include "oracle/group_sizes.hpp"
+#include "oracle/interpret.hpp"
 #include "oracle/term_sizes.hpp"
 
 namespace treeline {

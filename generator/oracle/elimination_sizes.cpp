@@ -1,11 +1,9 @@
-#include "oracle/elimination_sizes.hpp"
-
 #include <algorithm>
 #include <random>
 
 #include "interpreter/loop_instances.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/group_sizes.hpp"
 #include "oracle/symmetric_matrices.hpp"
 #include "recursion/algebra/pivot_rule.hpp"
 

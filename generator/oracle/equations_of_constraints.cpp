@@ -1,5 +1,5 @@
 #include "oracle/equations.hpp"
-#include "oracle/interpret_constraints.hpp"
+#include "oracle/interpret.hpp"
 
 namespace treeline {
 namespace {

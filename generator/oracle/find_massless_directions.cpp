@@ -1,5 +1,3 @@
-#include "oracle/find_massless_directions.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +8,8 @@
 #include "bounds/rng.hpp"
 #include "interpreter/instances.hpp"
 #include "interpreter/joint_parts.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/leave_out_singular.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "oracle/subject.hpp"
 #include "oracle/symmetric_matrices.hpp"

@@ -5,9 +5,6 @@
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
-#include "oracle/interpret_constraints.hpp"
-#include "oracle/interpret_contacts.hpp"
-#include "oracle/interpret_objects.hpp"
 
 namespace treeline {
 namespace {

@@ -1,7 +1,6 @@
-#include "oracle/interpret_constraints.hpp"
-
 #include "interpreter/loop_instances.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/interpret.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,9 @@
-#include "oracle/interpret_contacts.hpp"
-
 #include <array>
 
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/interpret.hpp"
 
 namespace treeline {
 namespace {

@@ -5,11 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "choice/compose_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "choice/for_each_index.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/interpret.hpp"
-#include "oracle/law_at.hpp"
 #include "oracle/subject_at.hpp"
 #include "recursion/routes/trace_function.hpp"
 

@@ -1,10 +1,9 @@
-#include "oracle/law_sizes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "interpreter/instances.hpp"
+#include "oracle/group_sizes.hpp"
 #include "recursion/algebra/pivot_rule.hpp"
 
 namespace treeline {
@@ -136,6 +135,21 @@ Eigen::MatrixXd find_priority_steps(const interpreter::Points<double>& points,
     tangent = tangent.cwiseMax(slope(reach * 0x1p-10L, random));
   }
   return (secant - 2 * tangent).cwiseMax(0) * (kSafety * static_cast<double>(reach) / unit);
+}
+
+DampedSizes find_damped_sizes(const Eigen::MatrixXd& Lambda_inverse, const Eigen::MatrixXd& terms,
+                              const interpreter::Damping<double>& damping) {
+  const interpreter::ScaledEigensystem<double> of(Lambda_inverse, damping.effective_mass_limits);
+  const Eigen::VectorXd damped =
+      interpreter::damped_eigenvalues<double>(of.values, damping.resolution);
+  const auto S = of.roots.asDiagonal();
+  const Eigen::MatrixXd inverse =
+      of.directions * damped.cwiseInverse().asDiagonal() * of.directions.transpose();
+  const Eigen::MatrixXd scaled_terms = S * terms * S;
+  const double largest = scaled_terms.norm();
+  const Eigen::MatrixXd Lambda = S * inverse * S;
+  return {Lambda.cwiseAbs(), std::max(1.0, largest),
+          std::max(1.0, largest) / std::min(1.0, damped.minCoeff())};
 }
 
 }  // namespace treeline

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "description/check_scene.hpp"
-#include "oracle/find_massless_directions.hpp"
-#include "text/list_first.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
-#include "oracle/interpret_constraints.hpp"
+#include "oracle/interpret.hpp"
 #include "oracle/subject_at.hpp"
 
 namespace treeline {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "description/find_joint.hpp"
+#include "description/robot_queries.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "recursion/parameters/model_parameter.hpp"
 

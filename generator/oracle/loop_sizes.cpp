@@ -1,5 +1,3 @@
-#include "oracle/loop_sizes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -7,6 +5,7 @@
 
 #include "interpreter/instances.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/group_sizes.hpp"
 #include "oracle/term_sizes.hpp"
 
 namespace treeline {

@@ -1,18 +1,18 @@
 #include "oracle/model_from_robot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
+#include <utility>
 
-#include "description/find_joint.hpp"
-#include "description/joints_depth_first.hpp"
 #include "description/noise.hpp"
+#include "description/robot_queries.hpp"
 #include "description/rotation.hpp"
 #include "interpreter/digits50.hpp"
 #include "interpreter/joint_parts.hpp"
 
 namespace treeline {
-
 namespace {
 
 /// Adds the links of a robot to a model, one after another, depth-first.
@@ -279,5 +279,38 @@ TREELINE_MODEL_INSTANCES(float);
 TREELINE_MODEL_INSTANCES(double);
 TREELINE_MODEL_INSTANCES(Digits50);
 #undef TREELINE_MODEL_INSTANCES
+
+template <class Scalar>
+interpreter::ClosedChain<Scalar> chain_from_scene(const Robot& robot, const Scene& scene) {
+  interpreter::ClosedChain<Scalar> chain;
+  chain.robots.push_back(model_from_robot<Scalar>(robot, scene));
+  const auto points = points_from_scene(chain.robots.front(), scene.operational_points);
+  const auto vector = [](const std::array<double, 3>& xyz) {
+    return interpreter::Vector3<Scalar>(Scalar(xyz[0]), Scalar(xyz[1]), Scalar(xyz[2]));
+  };
+  for (const SceneObject& from : scene.objects) {
+    const Inertial& body = from.inertial;
+    interpreter::GraspedObject<Scalar> object;
+    object.name = from.name;
+    object.mass = Scalar(body.mass);
+    object.com = vector(body.origin.xyz);
+    object.inertia << Scalar(body.ixx), Scalar(body.ixy), Scalar(body.ixz),  //
+        Scalar(body.ixy), Scalar(body.iyy), Scalar(body.iyz),                //
+        Scalar(body.ixz), Scalar(body.iyz), Scalar(body.izz);
+    for (const SceneGrasp& grasp : from.grasps) {
+      for (const auto& point : points) {
+        if (point.name == grasp.point) {
+          object.grasps.push_back(
+              {0, point, rotation_from_rpy<Scalar>(grasp.origin.rpy), vector(grasp.origin.xyz)});
+        }
+      }
+    }
+    chain.objects.push_back(std::move(object));
+  }
+  return chain;
+}
+
+template interpreter::ClosedChain<double> chain_from_scene(const Robot&, const Scene&);
+template interpreter::ClosedChain<Digits50> chain_from_scene(const Robot&, const Scene&);
 
 }  // namespace treeline

@@ -5,11 +5,13 @@
 
 #include "description/robot.hpp"
 #include "description/scene.hpp"
+#include "interpreter/closed_chain.hpp"
 #include "interpreter/loops.hpp"
 #include "interpreter/model.hpp"
 
-/// `Scalar` is float, double or Digits50: for these the functions are compiled, once.
 namespace treeline {
+
+/// `Scalar` is float, double or Digits50: for these the functions are compiled, once.
 
 /// Makes the interpreter's model of a robot in a scene, directly from the files' numbers: every
 /// link is a body, nothing is lumped or regrouped. Rotations and axes are computed in the precision
@@ -40,5 +42,11 @@ int find_body(const interpreter::Model<Scalar>& model, const std::string& link);
 template <class Scalar>
 interpreter::Loops<Scalar> loops_from_scene(const interpreter::Model<Scalar>& model,
                                             const Robot& robot, const Scene& scene);
+
+/// Makes the interpreter's closed chain of a robot that holds the scene's objects, directly from
+/// the files' numbers. The points that the grasps name are those of the scene.
+/// `Scalar` is double or Digits50.
+template <class Scalar>
+interpreter::ClosedChain<Scalar> chain_from_scene(const Robot& robot, const Scene& scene);
 
 }  // namespace treeline

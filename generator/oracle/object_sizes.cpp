@@ -1,14 +1,12 @@
-#include "oracle/object_sizes.hpp"
-
 #include <Eigen/LU>
 #include <array>
 #include <limits>
 
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/entries.hpp"
-#include "oracle/interpret_objects.hpp"
+#include "oracle/group_sizes.hpp"
+#include "oracle/interpret.hpp"
 #include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {

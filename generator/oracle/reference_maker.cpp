@@ -6,7 +6,6 @@
 #include "choice/evaluate_damped.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/interpret.hpp"
-#include "oracle/law_at.hpp"
 #include "oracle/subject_at.hpp"
 
 namespace treeline {

@@ -8,8 +8,8 @@
 #include "description/noise.hpp"
 #include "functions/function_table.hpp"
 #include "interpreter/instances.hpp"
-#include "oracle/contact_sizes.hpp"
 #include "oracle/entries.hpp"
+#include "oracle/group_sizes.hpp"
 #include "oracle/symmetric_matrices.hpp"
 
 namespace treeline {

@@ -5,12 +5,9 @@
 #include <vector>
 
 #include "interpreter/task_shares.hpp"
-#include "oracle/condition.hpp"
-#include "oracle/constraint_sizes.hpp"
-#include "oracle/damped_sizes.hpp"
-#include "oracle/law_sizes.hpp"
-#include "oracle/object_sizes.hpp"
+#include "oracle/group_sizes.hpp"
 #include "oracle/reference.hpp"
+#include "oracle/symmetric_matrices.hpp"
 #include "oracle/term_sizes.hpp"
 
 namespace treeline {

@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "choice/base_parameter_domain.hpp"
-#include "description/effective_mass_limits.hpp"
+#include "description/scene_queries.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "oracle/chain_from_scene.hpp"
 #include "oracle/entries.hpp"
 #include "oracle/list_regressor_units.hpp"
 #include "oracle/model_from_robot.hpp"

@@ -7,7 +7,7 @@
 #include "description/scene.hpp"
 #include "generation/generate_code.hpp"
 #include "packaging/describe_package.hpp"
-#include "packaging/package_kind.hpp"
+#include "packaging/package_kinds.hpp"
 #include "text/diagnostic.hpp"
 
 namespace treeline {

@@ -10,7 +10,7 @@
 
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 #include "emission/list_sources.hpp"
 #include "target/target.hpp"
 #include "text/printable.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "emission/controller_unit.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "emission/fill_template.hpp"
-#include "emission/print_identity.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/fmu_variables.hpp"
 #include "packaging/package_kinds.hpp"

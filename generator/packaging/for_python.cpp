@@ -7,9 +7,8 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/print_identity.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "packaging/call_c.hpp"
 #include "packaging/package_kinds.hpp"
 #include "packaging/python_structs.hpp"

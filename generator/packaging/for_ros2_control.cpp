@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "description/read_controller.hpp"
+#include "description/read_keys.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"

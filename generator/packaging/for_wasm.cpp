@@ -9,9 +9,9 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_joints.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/print_identity.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "generation/describe_scene.hpp"
 #include "packaging/call_c.hpp"
 #include "packaging/package_kinds.hpp"

@@ -1,13 +1,11 @@
-#include "packaging/make_package.hpp"
-
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "emission/fill_template.hpp"
-#include "emission/state_licence.hpp"
+#include "description/scene_queries.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/generated_file.hpp"
 #include "packaging/package_kinds.hpp"
-#include "packaging/print_example.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {
@@ -124,6 +122,22 @@ std::vector<PackageFolder> make_package(const PackageKind* kind, const Robot& ro
   auto& src = folders.back().files;
   src.insert(src.begin(), generation.files.begin(), generation.files.end());
   return folders;
+}
+
+void adapt_to_c(const PackageKind& kind, const std::string& text, Scene& scene,
+                Diagnostics& diagnostics) {
+  if (scene.language != Language::c && states_key(text, "language")) {
+    diagnostics.add({Severity::note, scene.file, 0, "language",
+                     std::string(kind.of_c) + " is compiled from C, whatever the scene says", ""});
+  }
+  scene.language = Language::c;
+  if (!scene.controller || !kind.is_unit || scene.functions.empty()) return;
+  scene.controller.reset();
+  diagnostics.add(
+      {Severity::warning, scene.file, 0, "controller",
+       "it is left out: an FMU is that of the robot where the scene has functions",
+       "For one of the controller write functions: []. Or generate it in C, without --package " +
+           std::string(kind.option) + "."});
 }
 
 }  // namespace treeline

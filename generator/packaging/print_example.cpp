@@ -1,10 +1,8 @@
-#include "packaging/print_example.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/backend.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
+#include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
 
 namespace treeline {

@@ -7,7 +7,7 @@
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_members.hpp"
 #include "emission/print_manifest.hpp"
 #include "packaging/call_c.hpp"

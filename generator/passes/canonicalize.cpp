@@ -1,9 +1,7 @@
-#include "passes/canonicalize.hpp"
-
 #include <utility>
 #include <vector>
 
-#include "passes/eliminate_dead.hpp"
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/rewriter.hpp"
 
@@ -50,6 +48,17 @@ Program canonicalize(const Program& program) {
   const Program ordered = rebuild(program, order_by_depth(program));
   return eliminate_dead(
       Rewriter(ordered).run([](std::uint32_t node, const Rewriter& r) { return r.copy(node); }));
+}
+
+Program eliminate_dead(const Program& program) {
+  const Marks live = find_live(program);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < live.size(); ++i) {
+    if (live[i]) {
+      order.push_back(i);
+    }
+  }
+  return rebuild(program, order);
 }
 
 }  // namespace treeline

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "passes/critical_path.hpp"
+#include "passes/passes.hpp"
 #include "program/ending.hpp"
 
 namespace treeline {

@@ -5,7 +5,7 @@
 
 #include "passes/count_operations.hpp"
 #include "program/program.hpp"
-#include "target/operation_costs.hpp"
+#include "target/target.hpp"
 
 namespace treeline {
 

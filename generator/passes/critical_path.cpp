@@ -1,8 +1,7 @@
-#include "passes/critical_path.hpp"
-
 #include <algorithm>
 #include <vector>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {

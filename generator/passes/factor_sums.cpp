@@ -1,9 +1,8 @@
-#include "passes/factor_sums.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/rewriter.hpp"
 

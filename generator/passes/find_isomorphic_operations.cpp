@@ -1,8 +1,7 @@
-#include "passes/find_isomorphic_operations.hpp"
-
 #include <map>
 #include <utility>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {

@@ -1,9 +1,8 @@
-#include "passes/interleave.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <utility>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {

@@ -1,5 +1,3 @@
-#include "passes/pack_lanes.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -8,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "passes/find_isomorphic_operations.hpp"
 #include "passes/lane_operands.hpp"
 #include "passes/lanes.hpp"
 #include "passes/pack_cycles.hpp"
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {

@@ -1,17 +1,10 @@
-#include "passes/run_passes.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <utility>
 
-#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/eliminate_dead.hpp"
-#include "passes/factor_sums.hpp"
-#include "passes/pack_lanes.hpp"
-#include "passes/schedule.hpp"
-#include "passes/share_pairs.hpp"
+#include "passes/passes.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,8 @@
-#include "passes/schedule.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "passes/interleave.hpp"
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 
 namespace treeline {

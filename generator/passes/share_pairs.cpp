@@ -1,5 +1,3 @@
-#include "passes/share_pairs.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <compare>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/rewriter.hpp"
 #include "program/hash_word.hpp"

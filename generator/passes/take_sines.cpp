@@ -1,10 +1,9 @@
-#include "passes/take_sines.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "passes/passes.hpp"
 #include "passes/rewriter.hpp"
 
 namespace treeline {

@@ -1,10 +1,9 @@
-#include "safety/describe_deviations.hpp"
-
 #include <fmt/format.h>
 
 #include <vector>
 
 #include "emission/print_parts.hpp"
+#include "safety/describe_safety.hpp"
 
 namespace treeline {
 namespace {

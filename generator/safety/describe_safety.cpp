@@ -8,13 +8,10 @@
 #include "description/follow_target.hpp"
 #include "emission/backend.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/count_stack.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/digest.hpp"
-#include "emission/generator_version.hpp"
-#include "emission/print_identity.hpp"
-#include "safety/describe_deviations.hpp"
-#include "safety/describe_step.hpp"
+#include "emission/costs.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "safety/describe_step.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,7 +6,8 @@
 #include "emission/backend.hpp"
 #include "emission/controller_faults.hpp"
 #include "emission/controller_unit.hpp"
-#include "emission/describe_controller.hpp"
+#include "emission/descriptions.hpp"
+#include "safety/describe_safety.hpp"
 
 namespace treeline {
 namespace {

@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "emission/digest.hpp"
-#include "emission/generator_version.hpp"
+#include "emission/generated_file.hpp"
 #include "safety/evidence.hpp"
 #include "text/read_text_file.hpp"
 

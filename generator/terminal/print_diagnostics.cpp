@@ -14,7 +14,7 @@
 #include "terminal/progress_line.hpp"
 #include "terminal/write_output.hpp"
 #include "text/json_text.hpp"
-#include "text/list_first.hpp"
+#include "text/suggest_name.hpp"
 
 namespace treeline {
 namespace {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "text/code_point.hpp"
-#include "text/taken_names.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

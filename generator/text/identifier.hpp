@@ -21,4 +21,9 @@ std::string identifier_from(std::string_view name);
 bool is_package_name(std::string_view name);
 std::string package_name_from(std::string_view name);
 
+/// Whether C++ or a header of C that a program may include before emitted code has this name
+/// already: keywords, `std`, `main`, macros (`EOF`, `errno`, `M_PI`) and what stands at global
+/// scope (functions of <math.h>, <stdio.h>, <unistd.h>).
+bool is_taken_name(std::string_view name);
+
 }  // namespace treeline

@@ -1,10 +1,8 @@
-#include "text/note_odd_character.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
-#include "text/code_point.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

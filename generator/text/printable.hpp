@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,5 +18,23 @@ std::string printable_lines(std::string_view text);
 /// Like `printable`, for JSON, where such characters can stand in strings only. They become
 /// `\u202e`, which a JSON reader turns back.
 std::string printable_json(std::string_view json);
+
+struct CodePoint {
+  std::uint32_t value = 0;
+  std::size_t length = 0;  ///< bytes taken; 0 when the text is not UTF-8 here
+};
+
+/// The first code point of a text that is not empty.
+CodePoint decode_utf8(std::string_view text);
+
+/// Whether the bytes are well-formed UTF-8 (no overlong forms, no surrogates).
+bool is_utf8(std::string_view text);
+
+/// `: it has U+2212, a minus sign`, to be put behind a text that should be a number: the first
+/// character that is not of ASCII may look like one that is. Empty if there is none.
+std::string note_odd_character(std::string_view text);
+
+/// Names the first or last character of a name if nobody sees it there. Empty if one sees both.
+std::string name_outer_blank(std::string_view text);
 
 }  // namespace treeline

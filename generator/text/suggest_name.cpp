@@ -137,4 +137,11 @@ std::string suggest_choice(std::string_view given, const std::vector<std::string
   return fmt::format("{}{}the choices are {}", near, near.empty() ? "" : " ", list_names(choices));
 }
 
+std::string list_first(const std::vector<std::string>& names, std::size_t most) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(names.size(), most));
+  std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  if (names.size() > most) text += fmt::format(" and {} more", names.size() - most);
+  return text;
+}
+
 }  // namespace treeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,5 +27,8 @@ std::string suggest_name(std::string_view name, const std::vector<std::string>& 
 /// What to do about a word that is none of the choices: the near one, or what is called so
 /// elsewhere, and all choices.
 std::string suggest_choice(std::string_view given, const std::vector<std::string>& choices);
+
+/// Lists at most `most` names and counts the others: "a, b and 3 more".
+std::string list_first(const std::vector<std::string>& names, std::size_t most);
 
 }  // namespace treeline

@@ -1,10 +1,10 @@
-#include "text/taken_names.hpp"
-
 #include <algorithm>
 #include <array>
 #include <set>
 #include <sstream>
 #include <string>
+
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

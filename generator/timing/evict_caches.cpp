@@ -1,11 +1,11 @@
-#include "timing/evict_caches.hpp"
-
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "timing/time_cold_calls.hpp"
 
 #if defined(__x86_64__) && defined(__linux__)
 #include <immintrin.h>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "timing/evict_caches.hpp"
-
 namespace treeline {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "trial/leave_out_failed.hpp"
+#include "trial/retry_routes.hpp"
 
 namespace treeline {
 

@@ -1,12 +1,11 @@
-#include "trial/leave_out_failed.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 #include <vector>
 
-#include "description/check_limits.hpp"
+#include "description/check_scene.hpp"
+#include "trial/retry_routes.hpp"
 
 namespace treeline {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "choice/compose_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "description/noise.hpp"
 #include "mechanism/build_mechanism.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "choice/choose_functions.hpp"
@@ -21,5 +22,10 @@ struct TriedFunctions {
 /// algorithm and `noise` is the default, all are chosen again from numbers as they are written.
 TriedFunctions retry_routes(const Robot& robot, const Scene& scene, ChosenFunctions chosen,
                             Diagnostics& diagnostics);
+
+/// Takes away the functions that failed, for which `check` would fail too, and what needs them.
+/// Each is named in `diagnostics` with its state. `files` are those for `treeline check`, as a
+/// command line names them. No function may be left.
+void leave_out_failed(TriedFunctions& tried, const std::string& files, Diagnostics& diagnostics);
 
 }  // namespace treeline

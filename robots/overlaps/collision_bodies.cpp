@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "description/isometry_of.hpp"
+#include "description/group_bodies.hpp"
 #include "description/read_surroundings.hpp"
 
 namespace treeline::experiments {

@@ -2,7 +2,7 @@
 // what has no bound.
 #include <gtest/gtest.h>
 
-#include "board/read_call_graph.hpp"
+#include "board/measure_objects.hpp"
 
 namespace treeline {
 namespace {

@@ -1,8 +1,8 @@
 // Would catch: an estimate in which quotients cost what sums do, or in which constants between
 // functions count as instructions.
-#include "board/count_instructions.hpp"
-
 #include <gtest/gtest.h>
+
+#include "board/measure_objects.hpp"
 
 namespace treeline {
 namespace {

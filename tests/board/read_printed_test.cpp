@@ -1,8 +1,8 @@
 // Would catch: results of a board that are taken though bytes are missing, changed or another
 // program's, and lines of a serial line or a debugger that are taken for results.
-#include "board/read_printed.hpp"
-
 #include <gtest/gtest.h>
+
+#include "board/run_board.hpp"
 
 namespace treeline::tests {
 namespace {

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "compiled_library.hpp"
-#include "description/total_mass.hpp"
+#include "description/robot_queries.hpp"
 #include "samm_on_casters.hpp"
 
 // Friction cones of wheels that roll: SAMM drives on four casters, an arm rolls a disc. Would

@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "check/judge_function.hpp"
-#include "check/judge_limits.hpp"
+#include "check/judges.hpp"
 #include "compilation/generated_library.hpp"
 #include "compilation/print_entry.hpp"
 #include "fixture.hpp"

@@ -10,15 +10,15 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "choice/compose_damped.hpp"
+#include "choice/evaluate_damped.hpp"
 #include "data/list_data.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "oracle/reference.hpp"
-#include "passes/canonicalize.hpp"
 #include "passes/choose.hpp"
+#include "passes/passes.hpp"
 #include "recursion/routes/trace_function.hpp"
 
 namespace treeline::tests {

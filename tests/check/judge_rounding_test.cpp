@@ -1,7 +1,6 @@
-#include "check/judge_rounding.hpp"
-
 #include <gtest/gtest.h>
 
+#include "check/judges.hpp"
 #include "fixture.hpp"
 
 // Would catch: errors beyond what the graph permits that pass, and correct results that do not.

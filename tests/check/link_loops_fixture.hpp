@@ -2,7 +2,7 @@
 
 #include "data/list_data.hpp"
 #include "fixture.hpp"
-#include "recursion/routes/trace_loops.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 // Tries functions that loop over a table of links, from the file to the compiled code, against 50
 // digits and against their own bounds.

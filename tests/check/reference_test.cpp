@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "check/judge_function.hpp"
+#include "check/judges.hpp"
 #include "fixture.hpp"
-#include "oracle/condition.hpp"
 #include "oracle/result_sizes.hpp"
+#include "oracle/symmetric_matrices.hpp"
 
 // Arithmetic of errors, scales, condition numbers and bounds. Would catch: a scale that a result
 // exceeds, a condition number that depends on units, and NaN that counts as no error.

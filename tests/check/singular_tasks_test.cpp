@@ -7,8 +7,8 @@
 #include "oracle/bound.hpp"
 #include "oracle/graph_run.hpp"
 #include "oracle/interpret.hpp"
-#include "oracle/law_at.hpp"
 #include "oracle/result_sizes.hpp"
+#include "oracle/subject_at.hpp"
 #include "recursion/routes/trace_function.hpp"
 
 // Functions that solve for task forces, where rows cannot be moved: always for tasks with more rows

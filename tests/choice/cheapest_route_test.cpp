@@ -11,7 +11,7 @@
 #include "choice/only_by_name.hpp"
 #include "limbed_robot.hpp"
 #include "mechanism/find_limbs.hpp"
-#include "passes/critical_path.hpp"
+#include "passes/passes.hpp"
 #include "random_mechanism.hpp"
 #include "recursion/routes/trace_function.hpp"
 

@@ -1,6 +1,6 @@
-#include "choice/estimate_code_size.hpp"
-
 #include <gtest/gtest.h>
+
+#include "choice/choose_loops.hpp"
 
 // Would catch: an estimate of bytes that is that of another processor, and loops that are counted
 // twice where functions share them. The bytes are those of g++ 12 -Os: code and constants.

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "description/read_keys.hpp"
 #include "description/scene_key_texts.hpp"
-#include "description/scene_keys.hpp"
 #include "functions/function.hpp"
 #include "program_test.hpp"
 

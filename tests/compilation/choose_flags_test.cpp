@@ -1,4 +1,3 @@
-#include "compilation/choose_flags.hpp"
 
 #include <set>
 

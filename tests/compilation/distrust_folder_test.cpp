@@ -1,8 +1,7 @@
-#include "compilation/distrust_folder.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "compilation/keep_library.hpp"
 #include "own_folder.hpp"
 
 // Would catch: code that is loaded from a folder to which another user could have written.

@@ -9,9 +9,9 @@
 #include <functional>
 #include <string>
 
-#include "description/bound_xml.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "description/xml_faults.hpp"
 #include "diagnosed.hpp"
 
 namespace treeline {

@@ -1,14 +1,13 @@
 // Would catch: a controller that guards a joint by no limit although nobody said that it should,
 // one that is refused though file and scene together state all, and a refusal that does not name
 // the joint, the limit and both ways out.
-#include "description/controller_limits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <optional>
 #include <string>
 
+#include "description/read_keys.hpp"
 #include "description/read_scene.hpp"
 #include "diagnosed.hpp"
 #include "limited_arm.hpp"

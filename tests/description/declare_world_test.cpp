@@ -1,10 +1,9 @@
 // Would catch: a robot that hangs on an undeclared world and is refused, or held elsewhere; a world
 // that is added where the file has one; a change that is not told.
-#include "description/declare_world.hpp"
-
 #include <gtest/gtest.h>
 
 #include "description/read_urdf.hpp"
+#include "description/urdf_parts.hpp"
 #include "diagnosed.hpp"
 
 namespace treeline {

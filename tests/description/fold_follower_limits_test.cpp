@@ -1,7 +1,5 @@
 // Would catch: a joint that leads another beyond its limits, limits that are narrower than the
 // followers need, and files whose limits contradict each other without a word.
-#include "description/fold_follower_limits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "description/urdf_parts.hpp"
 #include "diagnosed.hpp"
 #include "limited_arm.hpp"
 

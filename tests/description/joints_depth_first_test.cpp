@@ -1,6 +1,6 @@
-#include "description/joints_depth_first.hpp"
-
 #include <gtest/gtest.h>
+
+#include "description/robot_queries.hpp"
 
 // Would catch: an order that differs from that of the coordinates, a joint before the one that
 // carries it, and a stack overflow in deep trees.

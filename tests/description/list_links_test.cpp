@@ -1,11 +1,10 @@
 // Would catch: lists of links that lose the tree, or that never end.
-#include "description/list_links.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "description/read_urdf.hpp"
+#include "description/robot_queries.hpp"
 
 namespace treeline {
 namespace {

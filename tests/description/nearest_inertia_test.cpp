@@ -1,14 +1,12 @@
 // Would catch: a repaired inertia that is still impossible or not the nearest possible one, and a
 // body without extent that is not named.
-#include "description/nearest_inertia.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <random>
 
-#include "description/check_inertias.hpp"
+#include "description/inertias.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,8 @@
 // Would catch: a setting of the controller that is not taken, and robots or numbers that permit
 // none and are not reported with their place and a remedy.
-#include "description/read_controller.hpp"
-
 #include <gtest/gtest.h>
 
-#include "description/controller_limits.hpp"
+#include "description/read_keys.hpp"
 #include "description/read_scene.hpp"
 #include "scene_robot.hpp"
 

@@ -1,12 +1,11 @@
 // Would catch: a placeholder in a file that counts as a limit, a limit that does not, and one of
 // which it is forgotten what the file says.
-#include "description/read_joint_limits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 
+#include "description/urdf_parts.hpp"
 #include "diagnosed.hpp"
 #include "limited_arm.hpp"
 

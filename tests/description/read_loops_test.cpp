@@ -1,7 +1,5 @@
 // Would catch: a joint that closes a loop and holds other rows than its type says, or about another
 // axis than the file's.
-#include "description/read_loops.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -10,6 +8,7 @@
 
 #include "description/read_urdf.hpp"
 #include "description/rotation.hpp"
+#include "description/urdf_parts.hpp"
 #include "diagnosed.hpp"
 
 namespace treeline {

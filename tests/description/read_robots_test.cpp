@@ -4,7 +4,7 @@
 #include "description/read_robots.hpp"
 
 #include "../own_folder.hpp"
-#include "description/print_joined_urdf.hpp"
+#include "description/read_robot_text.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
 #include "diagnosed.hpp"

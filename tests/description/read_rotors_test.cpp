@@ -1,11 +1,10 @@
 // Would catch: a rotor that is lost, given to another joint, or counted without the square of the
 // gear ratio; a rotor of the file that a scene counts unasked; a coupling that is read as if each
 // motor drove one joint.
-#include "description/read_rotors.hpp"
-
 #include <gtest/gtest.h>
 
 #include "description/read_scene.hpp"
+#include "description/urdf_parts.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {

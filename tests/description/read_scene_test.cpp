@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "description/count_freedoms.hpp"
+#include "description/scene_queries.hpp"
 #include "scene_robot.hpp"
 
 namespace treeline {

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "description/find_inertia_tags.hpp"
-
 namespace treeline {
 namespace {
 

@@ -8,7 +8,6 @@
 
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
-#include "drawing/robot_solids.hpp"
 #include "drawing/scene_solids.hpp"
 
 // Would catch: a joint that does not move what it carries, a hidden face that is drawn, a robot

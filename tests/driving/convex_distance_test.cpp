@@ -1,11 +1,11 @@
 // Would catch: distances of boxes, cylinders and spheres that are not those of closed forms, in any
 // pose.
-#include "driving/convex_distance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
+
+#include "driving/robot_shapes.hpp"
 
 namespace treeline {
 namespace {

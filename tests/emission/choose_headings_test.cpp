@@ -1,8 +1,8 @@
-#include "emission/choose_headings.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "emission/body_steps.hpp"
 
 namespace treeline {
 namespace {

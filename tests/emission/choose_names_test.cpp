@@ -1,7 +1,6 @@
-#include "emission/choose_names.hpp"
-
 #include <gtest/gtest.h>
 
+#include "emission/body_steps.hpp"
 #include "passes/two_link_arm.hpp"
 
 // Would catch: generated code that does not compile because of a name.

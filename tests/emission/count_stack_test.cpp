@@ -1,9 +1,8 @@
-#include "emission/count_stack.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 
+#include "emission/costs.hpp"
 #include "emission/sample.hpp"
 #include "program/link_loops.hpp"
 

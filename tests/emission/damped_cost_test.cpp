@@ -1,8 +1,8 @@
-#include "emission/damped_cost.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "emission/costs.hpp"
 
 // Before the header whose operations it counts, because names in templates are looked up where they
 // are defined.

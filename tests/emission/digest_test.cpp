@@ -1,6 +1,6 @@
-#include "emission/digest.hpp"
-
 #include <gtest/gtest.h>
+
+#include "emission/generated_file.hpp"
 
 // Would catch: a digest that is not SHA-256, using test vectors of FIPS 180-4 and lengths around
 // the end of a block.

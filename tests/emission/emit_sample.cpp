@@ -4,8 +4,7 @@
 
 #include "description/scene_words.hpp"
 #include "emission/emit.hpp"
-#include "emission/print_damped_headers.hpp"
-#include "emission/print_square_root.hpp"
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
 #include "emission/write_files.hpp"
 

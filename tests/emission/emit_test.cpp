@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <set>
 
-#include "emission/c/print_source.hpp"
-#include "emission/cpp/print_source.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/generator_version.hpp"
-#include "emission/guard_headers.hpp"
-#include "emission/print_project.hpp"
+#include "emission/c/print_files.hpp"
+#include "emission/cpp/print_files.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
-#include "emission/state_licence.hpp"
 
 namespace treeline {
 namespace {

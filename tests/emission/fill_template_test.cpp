@@ -1,8 +1,8 @@
-#include "emission/fill_template.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+
+#include "emission/emitted_text.hpp"
 
 // Would catch: a gap left in generated code, a value that is not used, and broken indentation.
 namespace treeline {

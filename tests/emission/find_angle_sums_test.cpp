@@ -1,11 +1,10 @@
-#include "emission/find_angle_sums.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "emission/body_steps.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 

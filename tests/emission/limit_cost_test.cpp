@@ -1,8 +1,7 @@
-#include "emission/limit_cost.hpp"
-
 #include <gtest/gtest.h>
 
 #include "core/emitted_limits.hpp"
+#include "emission/costs.hpp"
 
 // Would catch: a stack that is stated smaller than what the method puts there.
 namespace treeline {

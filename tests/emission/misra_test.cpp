@@ -8,12 +8,9 @@
 #include "emission/backend.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/emit.hpp"
-#include "emission/guard_headers.hpp"
-#include "emission/print_controller.hpp"
-#include "emission/print_damped_headers.hpp"
-#include "emission/print_limit_headers.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_parts.hpp"
-#include "emission/print_square_root.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: code of `profile: misra` that has what the profile promises to leave out, or that is

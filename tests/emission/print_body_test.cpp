@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "emission/cpp/syntax.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "passes/two_link_arm.hpp"
 
 // Would catch: any change of the appearance or wording of generated code.

@@ -1,5 +1,3 @@
-#include "emission/print_controller.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -7,6 +5,7 @@
 #include <sstream>
 
 #include "emission/controller_unit.hpp"
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a name from a file that ends a comment of the controller's header, so that what is

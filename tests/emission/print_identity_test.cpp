@@ -1,8 +1,7 @@
-#include "emission/print_identity.hpp"
-
 #include <gtest/gtest.h>
 
-#include "emission/digest.hpp"
+#include "emission/generated_file.hpp"
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a digest that does not change with every file, or that changes with the order of

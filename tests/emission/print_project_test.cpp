@@ -1,11 +1,10 @@
-#include "emission/print_project.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <utility>
 
 #include "emission/controller_unit.hpp"
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
 #include "program/link_loops.hpp"
 

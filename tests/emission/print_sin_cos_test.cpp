@@ -1,9 +1,8 @@
-#include "emission/print_sin_cos.hpp"
-
 #include <gtest/gtest.h>
 
 #include <regex>
 
+#include "emission/print_files.hpp"
 #include "emission/sample.hpp"
 
 // Would catch: a step that is left out, or there twice, and a name of the source that no robot has.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "emission/emission_context.hpp"
-#include "passes/run_passes.hpp"
+#include "passes/passes.hpp"
 #include "passes/two_link_arm.hpp"
 
 namespace treeline::test {

@@ -1,6 +1,6 @@
-#include "emission/wrap_line.hpp"
-
 #include <gtest/gtest.h>
+
+#include "emission/emitted_text.hpp"
 
 namespace treeline {
 namespace {

@@ -8,9 +8,6 @@
 #include <algorithm>
 #include <string>
 
-#include "functions/find_function.hpp"
-#include "functions/matrix_symbol.hpp"
-
 namespace treeline {
 namespace {
 

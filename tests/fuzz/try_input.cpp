@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "description/find_inertia_tags.hpp"
 #include "description/read_number.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"
+#include "description/scan_xml.hpp"
 #include "generation/generate_code.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mutate_text.hpp"

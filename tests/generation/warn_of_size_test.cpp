@@ -1,7 +1,6 @@
-#include "generation/warn_of_size.hpp"
-
 #include <gtest/gtest.h>
 
+#include "generation/warnings.hpp"
 #include "program/ending.hpp"
 
 // Would catch: code that compilers take long for, without a word before it is written, words about

@@ -1,11 +1,10 @@
-#include "generation/warn_of_speed_rise.hpp"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
 #include "emission/controller_unit.hpp"
+#include "generation/warnings.hpp"
 
 // Would catch: a speed_rise of the scene that is overridden without a word, and words where it is
 // emitted as asked for or was not asked for.

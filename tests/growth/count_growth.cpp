@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "mechanism/build_mechanism.hpp"
-#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
+#include "passes/passes.hpp"
 #include "recursion/methods/control_torque.hpp"
 #include "recursion/methods/link_inverse_inertias.hpp"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "description/read_urdf.hpp"
-#include "inspect/print_base_parameters.hpp"
+#include "inspect/print_tables.hpp"
 
 namespace treeline {
 namespace {

@@ -7,8 +7,6 @@
 #include <random>
 
 #include "description/read_urdf.hpp"
-#include "inspect/find_felt_faults.hpp"
-#include "inspect/inspect_inertias.hpp"
 #include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"

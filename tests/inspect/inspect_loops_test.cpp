@@ -1,8 +1,6 @@
 // Would catch: dead points and folds of loops that are not named or named elsewhere, poses that are
 // blamed without reason, and wrong counts of what loops leave free. All figures follow from the
 // sides of triangles.
-#include "inspect/inspect_loops.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <regex>
 
 #include "data/list_data.hpp"
+#include "inspect/inspect_robot.hpp"
 #include "sample.hpp"
 #include "text/read_text_file.hpp"
 

@@ -1,12 +1,11 @@
 // Would catch: a joint that loses digits and is not named, a joint that is named without reason,
 // and findings that differ from run to run. The robots' singularities are known in closed form.
-#include "inspect/inspect_risks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "inspect/inspect_robot.hpp"
 #include "sample.hpp"
 
 namespace treeline {

@@ -1,10 +1,9 @@
 // Would catch: a number that is taken as exact but not listed, or listed without its place, and a
 // suggestion that does not help.
-#include "inspect/print_noise.hpp"
-
 #include <gtest/gtest.h>
 
 #include "description/read_urdf.hpp"
+#include "inspect/print_tables.hpp"
 
 namespace treeline {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 
-#include "description/count_freedoms.hpp"
+#include "description/scene_queries.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "recursion/function_results.hpp"
 

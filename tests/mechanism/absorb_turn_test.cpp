@@ -1,7 +1,6 @@
-#include "mechanism/absorb_turn.hpp"
-
 #include <gtest/gtest.h>
 
+#include "mechanism/build_steps.hpp"
 #include "random_mechanism.hpp"
 
 // The price by which frames are placed. Would catch: a price that differs from the cost of the link

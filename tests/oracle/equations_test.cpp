@@ -7,7 +7,7 @@
 
 #include "check/fixture.hpp"
 #include "data/list_data.hpp"
-#include "description/count_freedoms.hpp"
+#include "description/scene_queries.hpp"
 #include "interpreter/supported_cases.hpp"
 #include "joined_mechanisms.hpp"
 #include "limbed_robot.hpp"

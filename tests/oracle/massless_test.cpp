@@ -4,7 +4,6 @@
 #include <string>
 
 #include "check/fixture.hpp"
-#include "oracle/find_massless_directions.hpp"
 #include "oracle/leave_out_singular.hpp"
 
 // Mechanisms whose mass matrix is singular for known reasons, and others that only look like it.

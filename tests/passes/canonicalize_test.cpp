@@ -1,7 +1,6 @@
-#include "passes/canonicalize.hpp"
-
 #include <gtest/gtest.h>
 
+#include "passes/passes.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/print.hpp"
 

@@ -1,8 +1,7 @@
-#include "passes/critical_path.hpp"
-
 #include <gtest/gtest.h>
 
 #include "passes/choose.hpp"
+#include "passes/passes.hpp"
 
 // Would catch: a path that counts all operations instead of those that wait for each other, dead
 // code that counts, and a choice of a long chain because it has one operation less.

@@ -1,9 +1,8 @@
-#include "passes/eliminate_dead.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"

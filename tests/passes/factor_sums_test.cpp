@@ -1,9 +1,8 @@
-#include "passes/factor_sums.hpp"
-
 #include <gtest/gtest.h>
 
 #include "passes/count_operations.hpp"
 #include "passes/expect_same_function.hpp"
+#include "passes/passes.hpp"
 #include "passes/random_program.hpp"
 
 // Would catch: a factor taken from a term that does not have it, a lost sign or term, and products

@@ -1,8 +1,6 @@
-#include "passes/find_isomorphic_operations.hpp"
-
 #include <gtest/gtest.h>
 
-#include "passes/pack_lanes.hpp"
+#include "passes/passes.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 

@@ -1,10 +1,9 @@
-#include "passes/interleave.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
+#include "passes/passes.hpp"
 #include "passes/rebuild.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"

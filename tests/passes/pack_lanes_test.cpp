@@ -1,11 +1,9 @@
-#include "passes/pack_lanes.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "passes/schedule.hpp"
+#include "passes/passes.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 

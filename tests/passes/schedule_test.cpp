@@ -1,8 +1,7 @@
-#include "passes/schedule.hpp"
-
 #include <gtest/gtest.h>
 
 #include "passes/count_operations.hpp"
+#include "passes/passes.hpp"
 #include "passes/two_link_arm.hpp"
 #include "program/evaluate.hpp"
 

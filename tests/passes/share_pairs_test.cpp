@@ -1,9 +1,8 @@
-#include "passes/share_pairs.hpp"
-
 #include <gtest/gtest.h>
 
 #include "passes/count_operations.hpp"
 #include "passes/expect_same_function.hpp"
+#include "passes/passes.hpp"
 #include "passes/random_program.hpp"
 
 // Would catch: terms that are lost or counted twice when groups are taken apart, and wrong signs of

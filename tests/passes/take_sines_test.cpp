@@ -1,9 +1,8 @@
-#include "passes/take_sines.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "passes/passes.hpp"
 #include "program/evaluate.hpp"
 
 // Would catch: an angle whose sine is given but computed nevertheless, a wrong sign in the addition

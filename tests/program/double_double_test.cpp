@@ -7,7 +7,7 @@
 #include <random>
 
 #include "digits/digits50.hpp"
-#include "passes/canonicalize.hpp"
+#include "passes/passes.hpp"
 #include "program/program.hpp"
 
 // Constants that follow from constants, against 50 digits. Would catch: one that is rounded before

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "description/find_joint.hpp"
+#include "description/robot_queries.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"

@@ -10,7 +10,7 @@
 #include "interpreter/supported_cases.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/run_passes.hpp"
+#include "passes/passes.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/methods/eliminated_forward_dynamics.hpp"
 #include "recursion/routes/trace_function.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "data/list_data.hpp"
-#include "description/read_rotors.hpp"
 #include "description/read_urdf.hpp"
+#include "description/urdf_parts.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"

@@ -9,8 +9,8 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "description/count_freedoms.hpp"
 #include "description/rotation.hpp"
+#include "description/scene_queries.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/checked_programs.hpp"

@@ -5,7 +5,6 @@
 #include "interpreter/object_forward_dynamics.hpp"
 #include "joined_mechanisms.hpp"
 #include "mechanism/build_mechanism.hpp"
-#include "oracle/chain_from_scene.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"

@@ -6,7 +6,7 @@
 #include "description/rotation.hpp"
 #include "interpreter/object_forward_dynamics.hpp"
 #include "joined_mechanisms.hpp"
-#include "oracle/chain_from_scene.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "passes/count_operations.hpp"
 #include "recursion/checked_programs.hpp"
 

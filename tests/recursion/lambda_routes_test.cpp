@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "passes/canonicalize.hpp"
 #include "passes/count_operations.hpp"
+#include "passes/passes.hpp"
 #include "recursion/checked_programs.hpp"
 #include "recursion/read_robots.hpp"
 #include "recursion/template_results.hpp"

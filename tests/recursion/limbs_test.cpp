@@ -3,7 +3,7 @@
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/find_limbs.hpp"
 #include "passes/count_operations.hpp"
-#include "passes/run_passes.hpp"
+#include "passes/passes.hpp"
 #include "recursion/read_robots.hpp"
 #include "recursion/routes/trace_function.hpp"
 

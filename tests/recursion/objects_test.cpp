@@ -7,7 +7,7 @@
 #include "interpreter/object_forward_dynamics.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/digits50_from_file.hpp"
-#include "oracle/chain_from_scene.hpp"
+#include "oracle/model_from_robot.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/function_results.hpp"
 #include "recursion/least_flops.hpp"

@@ -11,7 +11,7 @@
 
 #include <Eigen/LU>
 
-#include "description/count_freedoms.hpp"
+#include "description/scene_queries.hpp"
 #include "interpreter/physics.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "mechanism/digits50_from_file.hpp"

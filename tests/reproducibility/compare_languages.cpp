@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "check/judge_limits.hpp"
+#include "check/judges.hpp"
 #include "compilation/print_entry.hpp"
 #include "description/read_scene.hpp"
 #include "description/read_urdf.hpp"

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "check/judge_function.hpp"
-#include "check/judge_limits.hpp"
+#include "check/judges.hpp"
 #include "compilation/compile_folder.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"

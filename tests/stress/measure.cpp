@@ -11,7 +11,7 @@
 #include "oracle/interpret.hpp"
 #include "oracle/reference.hpp"
 #include "oracle/result_sizes.hpp"
-#include "passes/canonicalize.hpp"
+#include "passes/passes.hpp"
 #include "program/evaluate.hpp"
 #include "recursion/routes/trace_function.hpp"
 

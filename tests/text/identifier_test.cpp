@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "text/code_point.hpp"
+#include "text/printable.hpp"
 
 namespace treeline {
 namespace {

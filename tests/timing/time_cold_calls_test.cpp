@@ -6,8 +6,6 @@
 #include <array>
 #include <chrono>
 
-#include "timing/evict_caches.hpp"
-
 // What is called cold, and that it is cold. Would catch: a call that is timed more often than
 // another, one whose memory is flushed for another state, and an eviction that evicts nothing.
 

@@ -10,7 +10,6 @@
 #include "oracle/bound.hpp"
 #include "oracle/reference.hpp"
 #include "trial/generate_tried.hpp"
-#include "trial/leave_out_failed.hpp"
 
 // A fault is planted into a chosen function. Would catch: a function that is written although it
 // failed, others that are lost with it, a failure that looks like success, and a diagnostic without

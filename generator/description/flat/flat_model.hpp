@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "text/diagnostic.hpp"
+
 namespace treeline {
 
 /// A shape for programs that show robots.
@@ -72,5 +74,17 @@ struct FlatTree {
   std::vector<FlatJoint> loops;   ///< as in the file
   bool has_world = false;         ///< the root is the world, else the model's first link
 };
+
+/// The mechanism as a URDF. A link whose joint is not at its origin hangs on a frame without mass,
+/// `JOINT_frame`, so that both frames are where SDF has them; joints with two axes become two,
+/// `JOINT_1` and `JOINT_2`; what closes a loop is a `<loop_joint>`.
+std::string print_urdf(const FlatModel& model, const FlatTree& tree);
+
+/// Spans the tree from the world, or from the first link where no joint holds to the world: always
+/// by the first joint of the file that leads from a reached link to one that is not, and, only if
+/// there is none, against the direction of the first that ends in a reached link. So the last joint
+/// of a loop closes it. An error in `diagnostics` where links stay unreached.
+std::optional<FlatTree> span_tree(const FlatModel& model, const std::string& file,
+                                  Diagnostics& diagnostics);
 
 }  // namespace treeline

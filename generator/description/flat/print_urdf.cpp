@@ -1,5 +1,3 @@
-#include "description/flat/print_urdf.hpp"
-
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
@@ -8,8 +6,9 @@
 #include <limits>
 #include <set>
 
+#include "description/flat/flat_model.hpp"
 #include "description/read_number.hpp"
-#include "description/rpy_from_rotation.hpp"
+#include "description/rotation.hpp"
 
 namespace treeline {
 namespace {

@@ -1,6 +1,6 @@
-#include "description/mjcf/mesh_solid.hpp"
-
 #include <cmath>
+
+#include "description/mjcf/read_geom.hpp"
 
 namespace treeline {
 namespace {

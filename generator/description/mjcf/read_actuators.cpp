@@ -1,5 +1,3 @@
-#include "description/mjcf/read_actuators.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,8 @@
 #include <limits>
 #include <map>
 #include <optional>
+
+#include "description/mjcf/read_bodies.hpp"
 
 namespace treeline {
 namespace {

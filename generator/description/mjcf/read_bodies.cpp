@@ -9,8 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "description/mjcf/read_mjcf_joint.hpp"
-
 namespace treeline {
 namespace {
 

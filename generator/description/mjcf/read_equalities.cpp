@@ -1,10 +1,10 @@
-#include "description/mjcf/read_equalities.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <utility>
+
+#include "description/mjcf/read_bodies.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "description/mjcf/read_mjcf.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "description/mjcf/read_actuators.hpp"
-#include "description/mjcf/read_equalities.hpp"
+#include "description/mjcf/read_bodies.hpp"
 
 namespace treeline {
 namespace {

@@ -1,12 +1,10 @@
-#include "description/mjcf/read_mjcf_joint.hpp"
-
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
-#include "description/mjcf/read_actuators.hpp"
+#include "description/mjcf/read_bodies.hpp"
 
 namespace treeline {
 namespace {

@@ -15,9 +15,6 @@
 #include <sdf/Link.hh>
 #include <utility>
 
-#include "description/sdf/read_shapes.hpp"
-#include "description/sdf/resolved_pose.hpp"
-
 namespace treeline {
 namespace {
 

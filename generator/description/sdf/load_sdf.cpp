@@ -1,5 +1,3 @@
-#include "description/sdf/load_sdf.hpp"
-
 #include <console_bridge/console.h>
 
 #include <algorithm>
@@ -11,6 +9,8 @@
 #include <sdf/ParserConfig.hh>
 #include <sstream>
 #include <string_view>
+
+#include "description/sdf/flatten_model.hpp"
 
 namespace treeline {
 namespace {

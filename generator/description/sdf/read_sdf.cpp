@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "description/parse_xml.hpp"
-#include "description/sdf/sdf_module.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {

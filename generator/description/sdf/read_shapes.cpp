@@ -1,5 +1,3 @@
-#include "description/sdf/read_shapes.hpp"
-
 #include <fmt/format.h>
 
 #include <sdf/Box.hh>
@@ -13,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "description/sdf/resolved_pose.hpp"
+#include "description/sdf/flatten_model.hpp"
 
 namespace treeline {
 namespace {

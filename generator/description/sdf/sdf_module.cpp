@@ -1,7 +1,5 @@
 // The part that needs libsdformat: a module that the program loads when it meets SDF, see
 // `read_sdf`.
-#include "description/sdf/sdf_module.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,7 +8,7 @@
 #include <vector>
 
 #include "description/sdf/flatten_model.hpp"
-#include "description/sdf/load_sdf.hpp"
+#include "description/sdf/read_sdf.hpp"
 
 namespace treeline {
 namespace {

@@ -1,10 +1,9 @@
-#include "description/sdf/span_tree.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "description/flat/flat_model.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {

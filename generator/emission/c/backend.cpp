@@ -1,11 +1,6 @@
-#include "emission/c/backend.hpp"
 
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/c/refuse.hpp"
-#include "emission/c/syntax.hpp"
-#include "emission/print_damped_headers.hpp"
-#include "emission/print_limit_headers.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline::c {
 namespace {

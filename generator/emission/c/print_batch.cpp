@@ -4,18 +4,13 @@
 #include <set>
 
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_one_state.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::c {
 namespace {

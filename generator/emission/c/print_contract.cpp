@@ -1,13 +1,11 @@
 #include <fmt/format.h>
 
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_source.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_contract.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::c {
 namespace {

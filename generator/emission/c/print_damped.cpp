@@ -1,15 +1,12 @@
 #include <fmt/format.h>
 
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_damped.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/print_target.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::c {
 namespace {

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/describe_joints.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::c {
 

@@ -4,7 +4,7 @@
 #include "emission/c/print_files.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/emitted_text.hpp"
 #include "program/ending.hpp"
 
 namespace treeline::c {

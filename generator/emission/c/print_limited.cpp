@@ -5,16 +5,13 @@
 #include "core/emitted_limits.hpp"
 #include "emission/backend.hpp"
 #include "emission/c/print_files.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/c/syntax.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/describe_limited.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/print_limit_headers.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_target.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::c {
 namespace {

@@ -1,8 +1,7 @@
-#include "emission/c/print_one_state.hpp"
-
 #include <fmt/format.h>
 
-#include "emission/describe_program.hpp"
+#include "emission/c/print_files.hpp"
+#include "emission/descriptions.hpp"
 
 namespace treeline::c {
 namespace {

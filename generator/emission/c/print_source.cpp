@@ -1,21 +1,16 @@
-#include "emission/c/print_source.hpp"
-
 #include <fmt/format.h>
 
 #include <cctype>
 
-#include "emission/c/syntax.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/c/templates.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_endings.hpp"
-#include "emission/print_loops.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_parts.hpp"
-#include "emission/wrap_line.hpp"
 #include "program/ending.hpp"
 
 namespace treeline::c {

@@ -1,9 +1,8 @@
-#include "emission/c/syntax.hpp"
-
 #include <fmt/format.h>
 
 #include <cctype>
 
+#include "emission/c/print_files.hpp"
 #include "emission/c_family_syntax.hpp"
 
 namespace treeline::c {

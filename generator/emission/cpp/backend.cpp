@@ -1,17 +1,11 @@
-#include "emission/cpp/backend.hpp"
 
 #include <algorithm>
 
 #include "emission/core_headers.hpp"
-#include "emission/cpp/print_core_header.hpp"
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/print_source.hpp"
-#include "emission/cpp/syntax.hpp"
-#include "emission/describe_program.hpp"
+#include "emission/descriptions.hpp"
 #include "emission/misra/refuse.hpp"
-#include "emission/print_damped_headers.hpp"
-#include "emission/print_limit_headers.hpp"
-#include "emission/print_sin_cos.hpp"
+#include "emission/print_files.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -4,17 +4,12 @@
 
 #include "emission/comment.hpp"
 #include "emission/core_headers.hpp"
-#include "emission/cpp/print_core_header.hpp"
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/print_source.hpp"
-#include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/print_body.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -4,9 +4,7 @@
 #include "emission/comment.hpp"
 #include "emission/cpp/print_files.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -2,11 +2,9 @@
 
 #include "emission/comment.hpp"
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/print_source.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_contract.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -1,4 +1,4 @@
-#include "emission/cpp/print_core_header.hpp"
+#include "emission/cpp/print_files.hpp"
 
 namespace treeline::cpp {
 

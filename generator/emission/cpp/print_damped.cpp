@@ -2,11 +2,9 @@
 
 #include "emission/comment.hpp"
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_damped.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 namespace {

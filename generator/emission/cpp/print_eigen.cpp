@@ -2,8 +2,7 @@
 
 #include "emission/cpp/print_files.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_joints.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 

@@ -5,11 +5,9 @@
 #include "emission/c/print_files.hpp"
 #include "emission/comment.hpp"
 #include "emission/cpp/print_files.hpp"
-#include "emission/cpp/syntax.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_limited.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/wrap_line.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -1,21 +1,16 @@
-#include "emission/cpp/print_source.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/c_family_syntax.hpp"
 #include "emission/comment.hpp"
-#include "emission/cpp/syntax.hpp"
+#include "emission/cpp/print_files.hpp"
 #include "emission/cpp/templates.hpp"
-#include "emission/describe_program.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/join_arguments.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
 #include "emission/list_source_holes.hpp"
 #include "emission/misra/templates.hpp"
 #include "emission/print_body.hpp"
-#include "emission/print_endings.hpp"
-#include "emission/print_loops.hpp"
+#include "emission/print_files.hpp"
 #include "emission/print_parts.hpp"
-#include "emission/wrap_line.hpp"
 #include "program/ending.hpp"
 
 namespace treeline::cpp {

@@ -1,8 +1,7 @@
-#include "emission/cpp/syntax.hpp"
-
 #include <fmt/format.h>
 
 #include "emission/c_family_syntax.hpp"
+#include "emission/cpp/print_files.hpp"
 
 namespace treeline::cpp {
 namespace {

@@ -1,9 +1,9 @@
 #include <array>
 
 #include "emission/backend.hpp"
-#include "emission/c/backend.hpp"
-#include "emission/cpp/backend.hpp"
-#include "emission/opencl/backend.hpp"
+#include "emission/c/print_files.hpp"
+#include "emission/cpp/print_files.hpp"
+#include "emission/opencl/print_files.hpp"
 
 namespace treeline {
 

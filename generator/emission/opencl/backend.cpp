@@ -1,12 +1,8 @@
-#include "emission/opencl/backend.hpp"
-
 #include <fmt/format.h>
 
-#include "emission/c/backend.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/opencl/print_contract.hpp"
-#include "emission/opencl/print_source.hpp"
-#include "emission/opencl/refuse.hpp"
+#include "emission/c/print_files.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/opencl/print_files.hpp"
 #include "emission/opencl/templates.hpp"
 
 namespace treeline::opencl {

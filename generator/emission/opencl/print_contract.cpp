@@ -1,10 +1,8 @@
-#include "emission/opencl/print_contract.hpp"
-
 #include "emission/c/print_files.hpp"
 #include "emission/c_family_syntax.hpp"
-#include "emission/describe_contract.hpp"
-#include "emission/fill_template.hpp"
-#include "emission/opencl/build_options.hpp"
+#include "emission/descriptions.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/opencl/print_files.hpp"
 #include "emission/opencl/templates.hpp"
 
 namespace treeline::opencl {

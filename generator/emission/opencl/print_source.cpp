@@ -1,12 +1,9 @@
-#include "emission/opencl/print_source.hpp"
-
 #include <fmt/format.h>
 
-#include "emission/c/print_one_state.hpp"
-#include "emission/c/print_source.hpp"
-#include "emission/fill_template.hpp"
+#include "emission/c/print_files.hpp"
+#include "emission/emitted_text.hpp"
+#include "emission/opencl/print_files.hpp"
 #include "emission/opencl/templates.hpp"
-#include "emission/wrap_line.hpp"
 
 namespace treeline::opencl {
 namespace {

@@ -1,10 +1,9 @@
-#include "emission/opencl/refuse.hpp"
-
 #include <string>
 
-#include "emission/c/refuse.hpp"
+#include "emission/c/print_files.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/ground_unit.hpp"
+#include "emission/opencl/print_files.hpp"
 #include "emission/selftest_facts.hpp"
 
 namespace treeline::opencl {

@@ -1,5 +1,3 @@
-#include "recursion/methods/choose_loop_dependents.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "recursion/algebra/factor_ldlt.hpp"
 #include "recursion/algebra/orthogonal_columns.hpp"
+#include "recursion/methods/choose_dependents.hpp"
 #include "recursion/methods/lambda_inverse.hpp"
 #include "recursion/methods/loop_rows.hpp"
 #include "recursion/methods/ordinary_states.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "recursion/methods/composite_momentum.hpp"
-#include "recursion/tree/unit_motion.hpp"
+#include "recursion/tree/joint_axes.hpp"
 
 namespace treeline {
 

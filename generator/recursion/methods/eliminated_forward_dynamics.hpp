@@ -4,7 +4,6 @@
 
 #include "recursion/algebra/orthogonal_columns.hpp"
 #include "recursion/methods/choose_dependents.hpp"
-#include "recursion/methods/choose_loop_dependents.hpp"
 #include "recursion/methods/constrained_forward_dynamics.hpp"
 #include "recursion/methods/factor_mass_matrix.hpp"
 #include "recursion/methods/mass_matrix.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "recursion/methods/link_velocities.hpp"
-#include "recursion/tree/unit_motion.hpp"
+#include "recursion/tree/joint_axes.hpp"
 
 // Motions of links in the axes and at the origins of other frames that are fixed to them.
 

@@ -1,5 +1,3 @@
-#include "recursion/routes/common_frame.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -7,6 +5,7 @@
 #include "core/in_eights.hpp"
 #include "recursion/methods/forward_kinematics.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 #include "recursion/routes/tree_paths.hpp"
 
 namespace treeline {

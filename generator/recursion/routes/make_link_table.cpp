@@ -9,7 +9,6 @@
 #include "functions/quantity.hpp"
 #include "recursion/methods/task_basis.hpp"
 #include "recursion/parameters/base_parameters.hpp"
-#include "recursion/routes/split_free_joints.hpp"
 
 namespace treeline {
 

@@ -7,11 +7,8 @@
 #include "recursion/methods/kinetic_energy.hpp"
 #include "recursion/methods/point_motion.hpp"
 #include "recursion/methods/potential_energy.hpp"
-#include "recursion/routes/common_frame.hpp"
-#include "recursion/routes/motion_derivative_routes.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/routes_of_groups.hpp"
-#include "recursion/routes/task_routes.hpp"
 
 namespace treeline {
 namespace {

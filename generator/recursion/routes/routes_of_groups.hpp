@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "program/ending.hpp"
 #include "recursion/routes/trace.hpp"
 
 namespace treeline {
@@ -34,5 +35,43 @@ std::vector<Route> constraint_routes(const RouteQuery& query);
 
 /// The routes to a function that is about held objects, at least one.
 std::vector<Route> object_routes(const RouteQuery& query);
+
+// Routes to functions of the task that solve with Lambda^-1, see `robot_routes`.
+
+/// To Lambda^-1, or to Lambda if `invert`.
+std::vector<Route> lambda_routes(const Tree<Expression>& tree, bool invert, TaskLaws& laws);
+
+std::vector<Route> control_routes(const Mechanism& mechanism, const Tree<Expression>& tree,
+                                  TaskLaws& laws);
+
+/// To the dynamically consistent inverse Jbar, or to the projector 1 - Jbar J if `project`: by the
+/// factors of M, which mimic joints permit.
+std::vector<Route> consistent_inverse_routes(const Tree<Expression>& tree, bool project,
+                                             TaskLaws& laws);
+
+/// To the forces of gravity in the task rows, or to those of velocities.
+std::vector<Route> operational_force_routes(const Tree<Expression>& tree, bool of_gravity,
+                                            TaskLaws& laws);
+
+// Routes to derivatives of energy and of the motion of points, see `robot_routes`.
+
+std::vector<Route> kinetic_energy_derivative_routes();
+std::vector<Route> point_velocity_derivative_routes();
+std::vector<Route> point_acceleration_derivative_routes();
+
+/// Whether functions of the tree may be computed in one common frame, see
+/// `runtime/emitted/common_frame.h`: joints have one freedom of their own each and are numbered
+/// depth first, a base may float, and inertias are constants.
+bool suits_common_frame(const Tree<Expression>& tree);
+
+/// M by lines for the links' places and a routine for the rest. Joints' rotations are not deferred
+/// in the trace.
+Ending end_with_mass_matrix(const Trace& trace);
+
+/// Derivatives of joint forces, likewise. No forces act at points.
+Ending end_with_force_derivatives(const Trace& trace);
+
+/// Derivatives of accelerations, likewise.
+Ending end_with_acceleration_derivatives(const Trace& trace);
 
 }  // namespace treeline

@@ -1,11 +1,10 @@
-#include "recursion/routes/run_ending.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
 #include <utility>
 
 #include "core/emitted_endings.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/tree/counted.hpp"
 #include "recursion/tree/plain_expression.hpp"
 

@@ -1,6 +1,6 @@
-#include "recursion/routes/split_free_joints.hpp"
-
 #include <cstddef>
+
+#include "recursion/routes/make_link_table.hpp"
 
 namespace treeline {
 namespace {

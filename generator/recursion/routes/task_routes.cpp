@@ -1,11 +1,10 @@
-#include "recursion/routes/task_routes.hpp"
-
 #include <fmt/format.h>
 
 #include "recursion/methods/operational_quantities.hpp"
 #include "recursion/methods/resolved_by_pivots.hpp"
 #include "recursion/routes/describe_choice.hpp"
 #include "recursion/routes/result_parts.hpp"
+#include "recursion/routes/routes_of_groups.hpp"
 
 namespace treeline {
 namespace {

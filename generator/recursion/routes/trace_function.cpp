@@ -10,9 +10,7 @@
 #include "recursion/routes/pruned_algorithms.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/routes_of_groups.hpp"
-#include "recursion/routes/run_ending.hpp"
 #include "recursion/tree/lift_tree.hpp"
-#include "recursion/tree/name_constants.hpp"
 #include "recursion/tree/supported_mechanism.hpp"
 
 namespace treeline {

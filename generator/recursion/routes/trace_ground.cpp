@@ -1,5 +1,3 @@
-#include "recursion/routes/trace_ground.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -10,7 +8,8 @@
 #include "recursion/methods/potential_energy.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/trace.hpp"
-#include "recursion/tree/unit_motion.hpp"
+#include "recursion/routes/trace_function.hpp"
+#include "recursion/tree/joint_axes.hpp"
 
 namespace treeline {
 namespace {

@@ -1,5 +1,3 @@
-#include "recursion/routes/trace_loops.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "recursion/routes/make_link_table.hpp"
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/run_loops.hpp"
+#include "recursion/routes/trace_function.hpp"
 #include "recursion/tree/counted.hpp"
 #include "recursion/tree/declare_inputs.hpp"
 #include "recursion/tree/plain_expression.hpp"

@@ -1,11 +1,10 @@
-#include "recursion/routes/trace_together.hpp"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "recursion/routes/result_parts.hpp"
 #include "recursion/routes/routes_of_groups.hpp"
+#include "recursion/routes/trace_function.hpp"
 
 namespace treeline {
 namespace {

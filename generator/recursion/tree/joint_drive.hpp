@@ -1,11 +1,22 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include "recursion/tree/joint_rates.hpp"
 #include "recursion/tree/joint_transform.hpp"
 
 namespace treeline {
+
+/// Rates for a pass: qd and qdd with nv entries each. An empty span means zero.
+template <class Scalar>
+struct JointRates {
+  std::span<const Scalar> qd, qdd;
+  [[nodiscard]] Scalar velocity(std::size_t i) const { return qd.empty() ? Scalar(0.0) : qd[i]; }
+  [[nodiscard]] Scalar acceleration(std::size_t i) const {
+    return qdd.empty() ? Scalar(0.0) : qdd[i];
+  }
+};
 
 /// Constants of the smooth sign s of Coulomb friction, see runtime/emitted/link_friction.h.
 inline constexpr double kSignDegree = 128;

@@ -1,10 +1,10 @@
-#include "recursion/tree/name_constants.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <set>
 #include <string>
+
+#include "recursion/tree/lift_tree.hpp"
 
 namespace treeline {
 namespace {

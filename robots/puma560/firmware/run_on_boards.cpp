@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "board/cross_compile.hpp"
-#include "board/find_tools.hpp"
-#include "board/print_harness.hpp"
+#include "board/run_board.hpp"
 #include "board/templates.hpp"
 #include "compilation/run_commands.hpp"
 #include "compilation/temporary_folder.hpp"
-#include "compilation/write_work_file.hpp"
 
 namespace treeline {
 namespace {

@@ -2,8 +2,6 @@
 // that are passed over in silence; faults without file, line and element; made names that differ
 // from those of the reference page. What the bodies weigh and how they move is compared with MuJoCo
 // in tests/judges.
-#include "description/mjcf/read_mjcf.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "../../own_folder.hpp"
 #include "../diagnosed.hpp"
+#include "description/mjcf/read_bodies.hpp"
 #include "description/read_robot_text.hpp"
 
 namespace treeline {
