@@ -23,16 +23,31 @@ TL_INLINE void tl_start_braking(
 }
 
 /// Lets the braking begin gently: its share of `brake_damping` grows to 1 within
-/// twice the time that a torque needs to rise to its limit.
+/// twice the time that a torque needs to rise to its limit, and half as fast while
+/// torques are cut. Of joints that turn about one axis the one whose torque comes
+/// late would be thrown forward by the others'.
 TL_INLINE real tl_grow_braking(const TlConfig* config, TlState* state) {
   real slowest = config->torque_rate[0] / config->torque[0];
   for (int32_t i = 1; i < TL_JOINTS; ++i) {
     const real rate = config->torque_rate[i] / config->torque[i];
     slowest = tl_smaller(rate, slowest);
   }
-  const real share = state->brake_share + (TL_REAL(0.5) * slowest * config->period);
+  const real growth = (state->cut != 0) ? TL_REAL(0.25) : TL_REAL(0.5);
+  const real share = state->brake_share + (growth * slowest * config->period);
   state->brake_share = tl_smaller(share, TL_ONE);
   return config->brake_damping * state->brake_share;
+}
+
+/// Lets a reference that still moves give way to the joint, within 20 ms, while
+/// torques are cut: motors that cannot slow down so fast would be behind it at rest,
+/// pull the robot back at their limits, and swing it.
+TL_INLINE void tl_give_way(
+    const TlConfig* config, const TlMeasured* at, int32_t i, TlState* state) {
+  if ((state->cut != 0) && (tl_magnitude(state->brake_qd[i]) > config->rest_speed)) {
+    const real give = tl_within(TL_REAL(50.0) * config->period, TL_ONE);
+    state->brake_q[i] += give * tl_way_to(i, state->brake_q[i], at->q[i]);
+    state->brake_qd[i] += give * (at->qd[i] - state->brake_qd[i]);
+  }
 }
 
 /// Moves a joint's reference on by one step: it slows down by `damping`, stands at a
@@ -155,6 +170,7 @@ TL_INLINE bool tl_brake_torque(const TlConfig* config, const TlInput* input,
       qdd[i] = TL_ZERO;
       held[i] = TL_ZERO;
     } else {
+      tl_give_way(config, at, i, state);
       const bool stands = tl_move_brake_reference(config, at, damping, i, state);
       held[i] = tl_hold_torque(config, at, i, stands, state);
       qdd[i] = tl_brake_acceleration(config, at, damping, i, state);

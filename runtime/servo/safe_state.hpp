@@ -46,7 +46,7 @@ struct SafeRobot {
     double anchor[F::kCoordinates] = {};  ///< poses of floating joints, else 0
   };
   struct State {
-    int posed = 0, braking = 0, blind_ticks = 0, known = 0;
+    int posed = 0, braking = 0, blind_ticks = 0, known = 0, cut = 0;
     double sound_q[kJoints] = {}, sound_qd[kJoints] = {};
     double brake_share = 0.0;
     double brake_q[kJoints] = {}, brake_qd[kJoints] = {}, stand_q[kJoints] = {};
@@ -129,6 +129,7 @@ class SafeState {
   /// Somebody else moves the robot, by `tau`.
   void release(const double (&tau)[nv]) noexcept {
     state_.braking = 0;
+    state_.cut = 0;
     state_.known = 1;
     std::copy(std::begin(tau), std::end(tau), state_.tau);
   }
@@ -147,7 +148,10 @@ class SafeState {
       std::fill(std::begin(tau), std::end(tau), 0.0);
       state_.braking = 0;
     }
-    Braking::tl_limit_rate(&config_, &state_, tau);
+    bool cut = false;
+    for (int i = 0; i < nv; ++i) cut = cut || std::fabs(tau[i]) > config_.torque[i];
+    cut = Braking::tl_limit_rate(&config_, &state_, tau) || cut;
+    state_.cut = cut ? 1 : 0;
     return dragged && finite;
   }
 

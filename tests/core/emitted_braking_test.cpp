@@ -27,7 +27,7 @@ struct OneJoint {
     double q[1];
   };
   struct State {
-    int posed = 0, braking = 0, blind_ticks = 0, known = 0;
+    int posed = 0, braking = 0, blind_ticks = 0, known = 0, cut = 0;
     double sound_q[1] = {}, sound_qd[1] = {}, brake_share = 0, brake_q[1] = {}, brake_qd[1] = {};
     double stand_q[1] = {}, load[1] = {}, tau[1] = {};
     double softness[1] = {}, swing[1] = {}, swing_peak[1] = {}, last_peak[1] = {};

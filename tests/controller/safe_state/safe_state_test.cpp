@@ -4,7 +4,9 @@
 // beyond their limits; brakes that nobody calls for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <random>
 
 #include "controller/safe_state/plant.hpp"
 #include "fr3_plant.hpp"
@@ -189,6 +191,61 @@ TYPED_TEST(SafeState, HoldsAfterAStop) {
     EXPECT_EQ(robot.output.mode, 0) << name;
     EXPECT_EQ(robot.output.faults, 0U) << name;
     EXPECT_EQ(robot.output.brakes, 0) << name;
+  }
+}
+
+// Motors that cannot slow down as fast as the reference must not swing the robot afterwards: FR3
+// was, in one of a hundred stops, to twice a joint's largest speed.
+TYPED_TEST(SafeState, SlowsDownFromAnyMotion) {
+  constexpr unsigned kSeed = 11;
+  std::mt19937 rng(kSeed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const TypeParam first({}, TypeParam::kStart);
+  const auto draw_pose = [&] {
+    for (int tries = 0; tries < 1000; ++tries) {
+      typename TypeParam::Vector q;
+      for (std::size_t i = 0; i < q.size(); ++i) {
+        const double lower = std::max(first.config.lower[i], -2.5);
+        const double upper = std::min(first.config.upper[i], 2.5);
+        q[i] = lower + (0.1 + 0.8 * unit(rng)) * (upper - lower);
+      }
+      TypeParam held({}, q);
+      held.step();
+      bool bears = true;
+      for (int i = 0; i < TypeParam::n; ++i) {
+        bears = bears && std::fabs(held.output.tau[i]) < 0.8 * held.config.torque[i];
+      }
+      if (bears) return q;
+    }
+    ADD_FAILURE() << "no pose that the motors bear";
+    return TypeParam::kStart;
+  };
+  for (int stop = 0; stop < 300; ++stop) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed << ", stop " << stop);
+    TypeParam robot({}, draw_pose());
+    robot.run(0.1);
+    robot.send(4);  // START
+    robot.run(0.1);
+    const auto goal = draw_pose();
+    std::copy(goal.begin(), goal.end(), robot.input.command.goal);
+    const double duration = 0.3 + 2.7 * unit(rng);
+    robot.input.command.duration = duration;
+    robot.send(6);  // MOVE_JOINTS
+    robot.run(duration * unit(rng));
+    ASSERT_EQ(robot.output.faults, 0U);
+    robot.send(stop % 2 == 0 ? 0 : 2);  // EMERGENCY_STOP, STOP
+    double most = 0;
+    for (int k = 0; k < 2000; ++k) {
+      robot.step();
+      for (int i = 0; i < TypeParam::n; ++i) {
+        const double speed = std::fabs(robot.qd[static_cast<std::size_t>(i)]);
+        most = std::max(most, speed / robot.config.speed[i]);
+      }
+    }
+    // Half of the margin beyond which a speed is a fault.
+    EXPECT_LT(most, 1.05);
+    EXPECT_EQ(robot.output.faults & ~32U, 0U);
+    EXPECT_LT(robot.fastest(), 0.02);
   }
 }
 
