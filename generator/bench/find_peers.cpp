@@ -11,10 +11,12 @@ struct KnownPeer {
   const char* name;
   const char* module;
 };
-constexpr std::array kKnown = {
-    KnownPeer{"KDL", "treeline_peer_kdl.so"}, KnownPeer{"DART", "treeline_peer_dart.so"},
-    KnownPeer{"Pinocchio", "treeline_peer_pinocchio.so"},
-    KnownPeer{"MuJoCo", "treeline_peer_mujoco.so"}, KnownPeer{"dynibo", "treeline_peer_dynibo.so"}};
+constexpr std::array kKnown = {KnownPeer{"KDL", "treeline_peer_kdl.so"},
+                               KnownPeer{"DART", "treeline_peer_dart.so"},
+                               KnownPeer{"Pinocchio", "treeline_peer_pinocchio.so"},
+                               KnownPeer{"MuJoCo", "treeline_peer_mujoco.so"},
+                               KnownPeer{"dynibo", "treeline_peer_dynibo.so"},
+                               KnownPeer{"CasADi", "treeline_peer_casadi.so"}};
 
 bool is_among(const std::vector<LoadedPeer>& peers, const std::string& name) {
   return std::any_of(peers.begin(), peers.end(),

@@ -83,6 +83,7 @@ Contender contender_of(const LoadedPeer& peer, const PeerRoutine& routine,
   Variant variant{function.function, VariantGroup::peer, peer.name, Real::float64};
   if (!routine.route.empty()) variant.name += ", " + routine.route;
   variant.method = routine.route;
+  variant.recorded = peer.functions->records;
   Contender contender{std::move(variant), {}, {}};
   contender.call = [prepared](const State& state) { return prepared->call(state); };
   contender.passes = {{[prepared] { prepared->pass(); }, timed.size()}};
@@ -95,7 +96,11 @@ PeerContenders peer_contenders(const LoadedPeer& peer, const PeerDescription& de
                                const std::filesystem::path& urdf, const Scene& scene,
                                const std::vector<GeneratedFunction>& functions,
                                const std::vector<State>& timed) {
-  const OpenedPeer opened = open_peer(peer, urdf, description);
+  std::vector<std::string> names;
+  for (const GeneratedFunction& function : functions) {
+    if (beyond_peers(scene, function).empty()) names.emplace_back(function_name(function.function));
+  }
+  const OpenedPeer opened = open_peer(peer, urdf, description, names);
   PeerContenders made{{peer.name, peer.release, opened.sentences}, {}};
   std::vector<std::string> lacking;
   for (const GeneratedFunction& function : functions) {

@@ -26,16 +26,17 @@ struct SuiteResult {
   std::string scene;
   Function function{};
   const BenchRow* emitted = nullptr;
-  const BenchRow* in_c = nullptr;   ///< null: not measured
-  const BenchRow* batch = nullptr;  ///< of eight states a call; null: not measured
-  const BenchRow* best = nullptr;   ///< the fastest peer; null: there is none
+  const BenchRow* in_c = nullptr;      ///< null: not measured
+  const BenchRow* batch = nullptr;     ///< of eight states a call; null: not measured
+  const BenchRow* best = nullptr;      ///< the fastest peer that loads a robot; null: there is none
+  const BenchRow* recorded = nullptr;  ///< the fastest that makes code for it; null: there is none
 };
 
 /// Pointers into `reports`, which must outlive them.
 std::vector<SuiteResult> compare_to_best(const std::vector<BenchReport>& reports);
 
 /// Prints a line for each function of each robot: times, errors, bytes, and how many times as long
-/// the fastest peer takes.
+/// the fastest peer takes, of those that load a robot and of those that make code for it.
 std::string print_table(const std::vector<BenchReport>& reports);
 
 /// Prints the reports of all robots, a line of JSON each for machine, variant and remark.

@@ -45,6 +45,7 @@ struct Variant {
   /// Whether a caller with one state has its result in this time: not of a batch, nor where it
   /// takes the sines itself.
   bool whole = true;
+  bool recorded = false;                  ///< peers: code that another tool made for this robot
   std::vector<std::string> repeats = {};  ///< variants with the same code, byte by byte
 };
 

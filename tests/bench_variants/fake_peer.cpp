@@ -45,7 +45,9 @@ Opened open(const Robot& robot, const Tell& tell) {
     return {};
   }
   if (!std::ifstream(robot.urdf)) throw std::runtime_error("cannot read the robot");
-  tell("moves " + std::string(robot.links[0]) + " alone");
+  std::string asked;
+  for (int i = 0; i < robot.function_count; ++i) asked += ' ' + std::string(robot.functions[i]);
+  tell("moves " + std::string(robot.links[0]) + " alone for" + asked);
   for (int i = 0; i < robot.constraint_count; ++i) {
     const Constraint& held = robot.constraints[i];
     const std::string other = held.other.link == nullptr ? "the world" : held.other.link;

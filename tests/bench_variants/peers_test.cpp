@@ -14,8 +14,8 @@
 
 // A module whose results are known is loaded and measured. Would catch: a peer that gets another
 // one's time or error, a peer that is listed although it computes something else, a call into a
-// module of another version, a limitation of a peer that is not reported, and rows held on another
-// link.
+// module of another version, a limitation of a peer that is not reported, a function that it is not
+// asked for, and rows held on another link.
 
 namespace treeline::tests {
 namespace {
@@ -96,12 +96,14 @@ void expect_left_out(const BenchReport& report) {
 void expect_remarks(const BenchReport& report) {
   ASSERT_EQ(report.peers.size(), 1U);
   EXPECT_EQ(report.peers[0].name, "Fake");
-  EXPECT_EQ(report.peers[0].remarks,
-            (std::vector<std::string>{"moves arm alone", "is not adapted for nonlinear_effects"}));
+  EXPECT_EQ(
+      report.peers[0].remarks,
+      (std::vector<std::string>{
+          "moves arm alone for inverse_dynamics nonlinear_effects mass_matrix forward_dynamics",
+          "is not adapted for nonlinear_effects"}));
   const std::string table = print_table(report);
-  EXPECT_NE(
-      table.find("beside Fake 1.2, which moves arm alone; is not adapted for nonlinear_effects\n"),
-      std::string::npos);
+  EXPECT_NE(table.find("forward_dynamics; is not adapted for nonlinear_effects\n"),
+            std::string::npos);
   EXPECT_NE(table.find("without Absent: "), std::string::npos);
 }
 
@@ -152,7 +154,8 @@ TEST(Peers, AreComparedByTheMotionWhereRowsAreHeld) {
       "functions: [constrained_forward_dynamics]\n");
   ASSERT_TRUE(report);
   EXPECT_EQ(report->peers.at(0).remarks,
-            (std::vector<std::string>{"moves arm alone", "holds end between arm and the world"}));
+            (std::vector<std::string>{"moves arm alone for constrained_forward_dynamics",
+                                      "holds end between arm and the world"}));
   const auto rows = peer_rows(find(*report, Function::constrained_forward_dynamics));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_LT(rows[0]->norm.worst, 1e-14);
@@ -177,7 +180,7 @@ TEST(Peers, SayWhatTheyCannotDo) {
 
 TEST(Peers, AreToldThatTheRobotIsNotThere) {
   const PeerDescription description{false, {0, 0, -9.81}, {"arm"}, {}};
-  const OpenedPeer opened = open_peer(load_fake(), "nowhere.urdf", description);
+  const OpenedPeer opened = open_peer(load_fake(), "nowhere.urdf", description, {});
   EXPECT_TRUE(opened.routines.empty());
   EXPECT_EQ(opened.sentences, std::vector<std::string>{"cannot read the robot"});
 }
@@ -193,7 +196,7 @@ std::string fault_of(const std::filesystem::path& module) {
 
 TEST(LoadPeer, RefusesWhatIsNone) {
   EXPECT_EQ(fault_of(TREELINE_LATER_PEER),
-            "is of version 3 of the interface, this program of version 2");
+            "is of version 4 of the interface, this program of version 3");
   EXPECT_EQ(fault_of(TREELINE_NO_PEER), "is no module of a peer: it has no symbol treeline_peer");
   const TemporaryFolder work;
   const auto broken = work.path() / "broken.so";

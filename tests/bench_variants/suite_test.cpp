@@ -10,7 +10,8 @@
 
 // Lists of robots, and the table of the emitted code beside the fastest peer. Would catch: paths
 // that are relative to where the program runs, a line that is dropped in silence, a slower peer
-// taken for the best, a variant of our own taken for a peer, and a robot without peers left out.
+// taken for the best, code that another tool made taken for a library that loads robots, a variant
+// of our own taken for a peer, and a robot without peers left out.
 
 namespace treeline {
 namespace {
@@ -68,7 +69,8 @@ std::vector<BenchReport> two_robots() {
       {Function::gravity,
        {row_of(VariantGroup::emitted, "double", 20), row_of(VariantGroup::language, "C99", 21),
         row_of(VariantGroup::route, "other", 1), row_of(VariantGroup::peer, "slow", 300),
-        row_of(VariantGroup::peer, "quick", 130)}});
+        row_of(VariantGroup::peer, "quick", 130), row_of(VariantGroup::peer, "recorded", 90)}});
+  reports[0].functions.back().rows.back().variant.recorded = true;
   reports[1].name = "gripper";
   reports[1].no_peers = "the robot has joints that mimic others";
   reports[1].functions.push_back(
@@ -81,13 +83,16 @@ TEST(CompareToBest, TakesTheFastestPeer) {
   const auto results = compare_to_best(reports);
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].best->variant.name, "quick");
+  EXPECT_EQ(results[0].recorded->variant.name, "recorded");
   EXPECT_EQ(results[0].in_c->variant.name, "C99");
   EXPECT_EQ(results[1].best, nullptr);
+  EXPECT_EQ(results[1].recorded, nullptr);
 }
 
 TEST(PrintSuiteTable, SaysHowManyTimesAsLongAPeerTakesAndWhoHasNone) {
   const std::string table = print_table(two_robots());
   EXPECT_THAT(table, HasSubstr("6.5"));
+  EXPECT_THAT(table, HasSubstr("4.5"));
   EXPECT_THAT(table, HasSubstr("none has it"));
   EXPECT_THAT(table, HasSubstr("gripper: no peers, the robot has joints that mimic others"));
 }

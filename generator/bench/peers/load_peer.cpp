@@ -42,6 +42,12 @@ peer::Constraint constraint_of(const PeerConstraint& from) {
   return constraint;
 }
 
+std::vector<const char*> pointers_to(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return pointers;
+}
+
 }  // namespace
 
 std::optional<LoadedPeer> load_peer(const std::filesystem::path& path, Diagnostics& diagnostics) {
@@ -70,9 +76,10 @@ std::optional<LoadedPeer> load_peer(const std::filesystem::path& path, Diagnosti
 }
 
 OpenedPeer open_peer(const LoadedPeer& peer, const std::filesystem::path& urdf,
-                     const PeerDescription& description) {
-  std::vector<const char*> links;
-  for (const std::string& link : description.links) links.push_back(link.c_str());
+                     const PeerDescription& description,
+                     const std::vector<std::string>& functions) {
+  const auto links = pointers_to(description.links);
+  const auto names = pointers_to(functions);
   std::vector<peer::Point> points;
   for (const PeerPoint& point : description.points) points.push_back(point_of(point));
   std::vector<peer::Constraint> constraints;
@@ -85,7 +92,8 @@ OpenedPeer open_peer(const LoadedPeer& peer, const std::filesystem::path& urdf,
                           {g[0], g[1], g[2]}, static_cast<int>(links.size()),
                           links.data(),       static_cast<int>(points.size()),
                           points.data(),      static_cast<int>(constraints.size()),
-                          constraints.data()};
+                          constraints.data(), static_cast<int>(names.size()),
+                          names.data()};
   OpenedPeer made;
   const auto listen = [](void* listener, const char* sentence) {
     static_cast<OpenedPeer*>(listener)->sentences.emplace_back(sentence);

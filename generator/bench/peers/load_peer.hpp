@@ -38,9 +38,9 @@ struct OpenedPeer {
   std::vector<std::string> sentences;  ///< what it cannot do, and why: "has no floating base"
 };
 
-/// Opens a robot. `urdf` has the text from `print_plain_urdf`. What the library prints on standard
-/// output goes to standard error.
+/// Opens a robot for functions of these names. `urdf` has the text from `print_plain_urdf`. What
+/// the library prints on standard output goes to standard error.
 OpenedPeer open_peer(const LoadedPeer& peer, const std::filesystem::path& urdf,
-                     const PeerDescription& description);
+                     const PeerDescription& description, const std::vector<std::string>& functions);
 
 }  // namespace treeline

@@ -44,11 +44,11 @@ inline bool holds_turns(const Constraint& constraint, const Tell& tell) {
   return turns;
 }
 
-/// Makes a peer from the function that reads a robot. A robot that it cannot handle has no
-/// routines. Exceptions of the library become remarks.
+/// Makes a peer from the function that reads a robot; `records`: see `Peer`. A robot that it cannot
+/// handle has no routines. Exceptions of the library become remarks.
 template <Opened (*read)(const Robot&, const Tell&)>
-constexpr Peer make_peer(const char* name, const char* release) {
-  Peer made{kVersion, name, release, nullptr, nullptr, nullptr};
+constexpr Peer make_peer(const char* name, const char* release, bool records = false) {
+  Peer made{kVersion, name, release, nullptr, nullptr, nullptr, records};
   made.open = [](const Robot* robot, Say say, void* listener) -> void* {
     const Tell tell = [say, listener](const std::string& text) { say(listener, text.c_str()); };
     try {

@@ -7,7 +7,7 @@
 namespace treeline::peer {
 
 /// Version of this interface. Changes with anything below.
-inline constexpr int kVersion = 2;
+inline constexpr int kVersion = 3;
 
 /// A frame fixed to a link: an operational point.
 struct Point {
@@ -40,6 +40,8 @@ struct Robot {
   const Point* points;
   int constraint_count;
   const Constraint* constraints;
+  int function_count;
+  const char* const* functions;  ///< names of those that are asked for; others may be left out
 };
 
 /// Calls a function once. The inputs are in the order of the generated contract (q for matrices and
@@ -75,6 +77,7 @@ struct Peer {
   /// Returns the number of routines for an opened robot; they are valid until it is closed.
   int (*list)(void* opened, const Routine** routines);
   void (*close)(void* opened);
+  bool records;  ///< makes code for a robot and compiles it in `open`
 };
 
 }  // namespace treeline::peer

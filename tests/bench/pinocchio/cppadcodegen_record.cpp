@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "pinocchio/record.hpp"
+#include "pinocchio/record_whole_mass_matrix.hpp"
 // The scalar comes first.
 #include "bench/peers/pinocchio/read_solver.hpp"
 
@@ -78,18 +78,11 @@ struct Function {
   std::string (*record)(const Solver<double>&);
 };
 
-constexpr int kMostInputs = 4;
-
-std::string source_of(const std::string& space, const Function& function,
-                      const std::string& statements) {
-  std::string text = "#include <cmath>\n\nnamespace " + space + " {\n\nvoid " + function.name +
-                     "(const double* const* in, double* __restrict y) noexcept {\n";
-  for (int i = 0; i < kMostInputs; ++i) {
-    const std::string k = std::to_string(i);
-    if (statements.find("in" + k + "[") == std::string::npos) continue;
-    text += "  const double* __restrict in" + k + " = in[" + k + "];\n";
-  }
-  return text + statements + "}\n\n}  // namespace " + space + "\n";
+/// The recorded function under the name and with the arguments of a function of C++.
+std::string source_of(const std::string& space, const Function& function, const std::string& code) {
+  return "#include <cmath>\n\nnamespace " + space + " {\n\nvoid " + function.name +
+         "(const double* const* in, double* __restrict y) noexcept {\n" +
+         code.substr(code.find("{\n") + 2) + "\n}  // namespace " + space + "\n";
 }
 
 /// Prints an entry of the manifest.
@@ -105,15 +98,17 @@ std::string facts_of(const Function& function, const std::string& statements) {
 
 void write_functions(const Solver<double>& solver, const std::string& space,
                      const std::string& folder) {
-  const Function functions[] = {
-      {"inverse_dynamics", record_rnea},   {"forward_dynamics", record_aba},
-      {"mass_matrix", record_mass_matrix}, {"lambda_inverse", record_lambda_inverse},
-      {"lambda", record_lambda},           {"control_torque", record_control_torque}};
+  const Function functions[] = {{"inverse_dynamics", record_rnea},
+                                {"forward_dynamics", record_aba},
+                                {"mass_matrix", record_whole_mass_matrix},
+                                {"lambda_inverse", record_lambda_inverse},
+                                {"lambda", record_lambda},
+                                {"control_torque", record_control_torque}};
   std::string facts;
   for (const Function& function : functions) {
-    const std::string statements = function.record(solver);
-    std::ofstream(folder + '/' + function.name + ".cpp") << source_of(space, function, statements);
-    facts += (facts.empty() ? "" : ",\n") + facts_of(function, statements);
+    const std::string code = function.record(solver);
+    std::ofstream(folder + '/' + function.name + ".cpp") << source_of(space, function, code);
+    facts += (facts.empty() ? "" : ",\n") + facts_of(function, code);
   }
   std::ofstream(folder + "/manifest.json") << "{\"functions\": [\n" << facts << "\n]}\n";
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::ffi::{c_char, c_int, c_void, CStr, CString};
 use std::slice::{from_raw_parts, from_raw_parts_mut};
 
-const VERSION: c_int = 2;
+const VERSION: c_int = 3;
 const GRAVITY: f64 = 9.80665;
 
 #[repr(C)]
@@ -15,7 +15,7 @@ pub struct PeerRobot {
     gravity: [f64; 3],
     velocities: c_int,
     links: *const *const c_char,
-    // Points and constraints follow, which no routine here takes.
+    // Points, constraints and names of functions follow, which nothing here needs.
 }
 
 type Say = extern "C" fn(*mut c_void, *const c_char);
@@ -38,6 +38,7 @@ pub struct Peer {
     open: unsafe extern "C" fn(*const PeerRobot, Say, *mut c_void) -> *mut c_void,
     list: unsafe extern "C" fn(*mut c_void, *mut *const Routine) -> c_int,
     close: unsafe extern "C" fn(*mut c_void),
+    records: bool,
 }
 
 enum Any {
@@ -308,6 +309,7 @@ static PEER: Shared = Shared(Peer {
     open,
     list,
     close,
+    records: false,
 });
 
 #[no_mangle]

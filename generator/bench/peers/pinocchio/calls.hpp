@@ -13,6 +13,7 @@ namespace treeline::peer::pin {
 #define TREELINE_BENCH_CALL(name) \
   void call_##name(void* solver, const double* const* in, double* out);
 TREELINE_BENCH_CALL(rnea)
+TREELINE_BENCH_CALL(gravity)
 TREELINE_BENCH_CALL(aba)
 TREELINE_BENCH_CALL(aba_in_world_axes)
 TREELINE_BENCH_CALL(minverse)

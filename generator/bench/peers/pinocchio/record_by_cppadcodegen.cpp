@@ -1,6 +1,6 @@
-#include "pinocchio/record.hpp"
-
 #include <sstream>
+
+#include "bench/peers/pinocchio/record.hpp"
 
 namespace treeline::peer::pin {
 namespace {
@@ -38,6 +38,10 @@ CppAD::ADFun<Code> record_tape(const Solver<double>& solver, const Shape& shape,
 
 }  // namespace
 
+Tool recording_tool() {
+  return {"CppADCodeGen", &CPPAD_CG_VERSION[sizeof "cppadcg"]};
+}
+
 std::string record(const Solver<double>& solver, const Shape& shape, Route route) {
   auto tape = record_tape(solver, shape, route);
   CppAD::cg::CodeHandler<double> handler;
@@ -51,7 +55,15 @@ std::string record(const Solver<double>& solver, const Shape& shape, Route route
   handler.generateCode(statements, language, y, names);
   const auto temporaries =
       names.getMaxTemporaryVariableID() + 1 - names.getMinTemporaryVariableID();
-  return "  double v[" + std::to_string(temporaries) + "];\n" + statements.str();
+  std::string code =
+      "#include <math.h>\n\nvoid recorded(void* solver, const double* const* in, double* "
+      "__restrict y) "
+      "{\n";
+  for (std::size_t k = 0; k < shape.inputs.size(); ++k) {
+    const std::string name = "in" + std::to_string(k);
+    code += "  const double* __restrict " + name + " = in[" + std::to_string(k) + "];\n";
+  }
+  return code + "  double v[" + std::to_string(temporaries) + "];\n" + statements.str() + "}\n";
 }
 
 }  // namespace treeline::peer::pin
