@@ -41,7 +41,7 @@ void expect_refused(const std::string& in_file, const std::string& fault,
   SCOPED_TRACE(in_file);
   const Asked asked = ask(in_file, "");
   EXPECT_FALSE(asked.scene);
-  expect_diagnosed(asked.diagnostics, "s.yaml", {Severity::error, 1, "", fault, remedy});
+  expect_diagnosed(asked.diagnostics, "s.yaml", {Severity::error, 1, "controller", fault, remedy});
 }
 
 TEST(ControllerLimits, AreNeededOfEveryJoint) {
@@ -96,7 +96,7 @@ TEST(ControllerLimits, LeaveAPositionBetweenThem) {
   const Asked asked = ask(kRange + "effort='1' velocity='1'", "turn: {lower: 2}");
   EXPECT_FALSE(asked.scene);
   expect_diagnosed(asked.diagnostics, "s.yaml",
-                   {Severity::error, 1, "",
+                   {Severity::error, 1, "controller",
                     "empty range of \"turn\": lower, 2, is not below upper, 1", "state both"});
 }
 
