@@ -135,8 +135,7 @@ const Change kChanges[] = {
     {"Dynamics", "controller_robot.hpp",
      "controller_joint_torque(at->q, at->sin_q, at->cos_q, at->qd,",
      "controller_joint_torque(at->q, at->cos_q, at->sin_q, at->qd,"},
-    {"Gravity", "controller_step.hpp", "within(at->gravity[i],",
-     "within(1.000001 * at->gravity[i],"},
+    {"Gravity", "controller_step.hpp", "within(sound,", "within(1.000001 * sound,"},
     {"JointGain", "controller_laws.hpp", "qdd[i] += w *", "qdd[i] += 1.000001 * w *"},
     {"TaskGain", "controller_laws.hpp", "xdd[i] = wanted.acceleration[i] +",
      "xdd[i] = 0.999999 * wanted.acceleration[i] +"}};
