@@ -212,7 +212,7 @@ TEST(FindPeers, LoadsWhatIsNamedAndSaysWhatIsAbsent) {
   EXPECT_EQ(found.peers[0].release, "1.2");
   // There is no module beside this test.
   EXPECT_EQ(found.absent,
-            (std::vector<std::string>{"KDL", "DART", "Pinocchio", "MuJoCo", "dynibo"}));
+            (std::vector<std::string>{"KDL", "DART", "Pinocchio", "MuJoCo", "dynibo", "CasADi"}));
   EXPECT_TRUE(diagnostics.list().empty());
 }
 
