@@ -66,8 +66,10 @@ class Bodies {
         read_body(top, -1, Isometry3d::Identity());
       } else {
         top.element.note("it is not part of the robot and is passed over", "");
+        if (compiler_.settotalmass > 0) passed_over_ += weigh(top);
       }
     }
+    if (compiler_.settotalmass > 0) scale_masses();
   }
 
  private:
@@ -160,7 +162,10 @@ class Bodies {
     const bool jointed = std::any_of(parts.begin(), parts.end(),
                                      [](const Placed& part) { return is_joint(part.element); });
     if (is_root || jointed || moving_.contains(parent)) moving_.insert(link);
-    read_contents(element, parts, link);
+    FlatLink contents = read_contents(element, parts, moving_.contains(link));
+    FlatLink& flat = result_.model.links[static_cast<std::size_t>(link)];
+    flat.inertial = std::move(contents.inertial);
+    flat.shapes = std::move(contents.shapes);
     for (const Placed& part : parts) {
       if (part.element.name() == "body") read_body(part, link, initial);
       if (part.element.name() == "site") read_site(part, link);
@@ -231,11 +236,13 @@ class Bodies {
          parent, pose, initial);
   }
 
-  /// Mass and shapes. Where geoms count and none has mass, what is stated does.
-  void read_contents(const MjcfElement& body, const std::vector<Placed>& parts, int link) {
+  /// Mass and shapes, without a name. Where geoms count and none has mass, what is stated does.
+  /// `moves`: a joint moves the body.
+  FlatLink read_contents(const MjcfElement& body, const std::vector<Placed>& parts, bool moves) {
     MjcfMass mass;
     std::optional<FlatInertial> stated;
-    std::vector<FlatShape> shapes;
+    FlatLink link;
+    const bool weighs = moves || compiler_.settotalmass > 0;
     const bool from_geoms = compiler_.inertiafromgeom == "true";
     const bool states = std::any_of(parts.begin(), parts.end(), [](const Placed& part) {
       return part.element.name() == "inertial";
@@ -243,22 +250,44 @@ class Bodies {
     for (const Placed& part : parts) {
       if (part.element.name() == "inertial") stated = read_inertial(part.element, compiler_);
       if (part.element.name() != "geom") continue;
-      const MjcfGeom geom(part.element, part.frame, compiler_, assets_, moving_.contains(link));
-      geom.add_shapes(shapes);
+      const MjcfGeom geom(part.element, part.frame, compiler_, assets_, weighs);
+      geom.add_shapes(link.shapes);
       if (from_geoms || (!states && compiler_.inertiafromgeom == "auto")) mass.add(geom.mass());
     }
-    FlatLink& flat = result_.model.links[static_cast<std::size_t>(link)];
-    flat.shapes = std::move(shapes);
-    flat.inertial = inertial_of(mass);
-    if (!flat.inertial) flat.inertial = stated;
-    bound_inertial(body, compiler_, flat.inertial);
+    link.inertial = inertial_of(mass);
+    if (!link.inertial) link.inertial = stated;
+    bound_inertial(body, compiler_, link.inertial);
+    return link;
+  }
+
+  /// Mass of a body that is passed over, with all that hangs on it, in kg.
+  double weigh(const Placed& body) {
+    std::vector<Placed> parts;
+    list_elements(body.element, Isometry3d::Identity(), compiler_, parts);
+    double sum = mass_of(read_contents(body.element, parts, false));
+    for (const Placed& part : parts) {
+      if (part.element.name() == "body") sum += weigh(part);
+    }
+    return sum;
+  }
+
+  static double mass_of(const FlatLink& link) { return link.inertial ? link.inertial->mass : 0; }
+
+  /// Makes `settotalmass` the mass of all bodies of the file.
+  void scale_masses() {
+    double total = passed_over_;
+    for (const FlatLink& link : result_.model.links) total += mass_of(link);
+    for (FlatLink& link : result_.model.links) {
+      if (link.inertial) scale_inertial(compiler_.settotalmass / total, *link.inertial);
+    }
   }
 
   const MjcfCompiler& compiler_;
   const MjcfAssets& assets_;
   MjcfTree& result_;
   std::set<std::string> link_names_, joint_names_;
-  std::set<int> moving_;  ///< links
+  std::set<int> moving_;    ///< links
+  double passed_over_ = 0;  ///< kg, of bodies that are not part of the robot
 };
 
 }  // namespace
@@ -266,12 +295,6 @@ class Bodies {
 void read_bodies(const std::vector<MjcfElement>& worlds, const MjcfCompiler& compiler,
                  const MjcfAssets& assets, MjcfTree& result) {
   Bodies(compiler, assets, result).read(worlds);
-  if (!(compiler.settotalmass > 0)) return;
-  double total = 0;
-  for (const FlatLink& link : result.model.links) total += link.inertial ? link.inertial->mass : 0;
-  for (FlatLink& link : result.model.links) {
-    if (link.inertial) scale_inertial(compiler.settotalmass / total, *link.inertial);
-  }
 }
 
 }  // namespace treeline

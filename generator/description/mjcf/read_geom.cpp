@@ -54,7 +54,7 @@ Solid solid_of(const std::string& type, const Eigen::Vector3d& size) {
   return solid;
 }
 
-/// The same of the surface, whose area is the volume.
+/// The surface as a solid, whose area is the volume.
 Solid shell_of(const std::string& type, const Eigen::Vector3d& size) {
   constexpr double kPi = std::numbers::pi;
   const double a = size[0], b = size[1], c = size[2];
@@ -116,8 +116,8 @@ void MjcfMass::add(const MjcfMass& other) {
 }
 
 MjcfGeom::MjcfGeom(const MjcfElement& element, const Eigen::Isometry3d& frame,
-                   const MjcfCompiler& compiler, const MjcfAssets& assets, bool moves)
-    : element_(element), compiler_(compiler), assets_(assets), moves_(moves) {
+                   const MjcfCompiler& compiler, const MjcfAssets& assets, bool weighs)
+    : element_(element), compiler_(compiler), assets_(assets), weighs_(weighs) {
   type_ = element.text("type", "sphere");
   pose_ = frame * read_mjcf_pose(element, compiler);
   if (const auto name = element.find("mesh")) {
@@ -174,7 +174,7 @@ MjcfMass MjcfGeom::mass() const {
 }
 
 void MjcfGeom::refuse(const std::string& fault) const {
-  if (moves_) {
+  if (weighs_) {
     element_.error(fault, kGiveInertial);
   } else {
     element_.note(fault + ", and need not be: nothing moves the body", "");

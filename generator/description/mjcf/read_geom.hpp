@@ -55,10 +55,10 @@ struct MjcfMass {
 /// A `<geom>`: kind, sizes and pose in its body's frame.
 class MjcfGeom {
  public:
-  /// `frame` is the pose of the `<frame>` in which it stands; `moves`: a joint moves its body, so
-  /// that its mass counts.
+  /// `frame` is the pose of the `<frame>` in which it stands; `weighs`: its mass counts, since a
+  /// joint moves its body or a total of all masses is asked for.
   MjcfGeom(const MjcfElement& element, const Eigen::Isometry3d& frame, const MjcfCompiler& compiler,
-           const MjcfAssets& assets, bool moves);
+           const MjcfAssets& assets, bool weighs);
 
   /// What its group lets count. An error where that cannot be computed but counts.
   [[nodiscard]] MjcfMass mass() const;
@@ -76,7 +76,7 @@ class MjcfGeom {
   const MjcfElement& element_;
   const MjcfCompiler& compiler_;
   const MjcfAssets& assets_;
-  bool moves_;
+  bool weighs_;
   std::string type_;
   Eigen::Vector3d size_ = Eigen::Vector3d::Zero();  ///< as MuJoCo has them: radii, half lengths
   Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();

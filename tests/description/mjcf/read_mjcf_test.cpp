@@ -28,6 +28,12 @@ std::string arm(const std::string& inside) {
          "</body></worldbody>\n";
 }
 
+double mass_of(const Robot& robot, const std::string& name) {
+  const auto link = std::find_if(robot.links.begin(), robot.links.end(),
+                                 [&](const Link& each) { return each.name == name; });
+  return link != robot.links.end() && link->inertial ? link->inertial->mass : 0.0;
+}
+
 struct Told {
   const char* name;
   std::string inside;
@@ -130,8 +136,6 @@ TEST(MjcfNames, AreMadeOfThoseAround) {
             "arm_child_joint_ arm_at ");
 }
 
-// Would catch: limits that readers by urdfdom refuse, and placeholders of our own that are warned
-// of.
 // Would catch bodies that lose what is stated of them where the geoms that count weigh nothing, and
 // bounds that leave such bodies out.
 TEST(MjcfMasses, OfBodiesThatNoGeomWeighs) {
@@ -143,15 +147,27 @@ TEST(MjcfMasses, OfBodiesThatNoGeomWeighs) {
                    "<body name='empty'><joint name='b'/></body>"),
            diagnostics);
   ASSERT_TRUE(robot);
-  const auto mass_of = [&](const std::string& name) {
-    const auto link = std::find_if(robot->links.begin(), robot->links.end(),
-                                   [&](const Link& each) { return each.name == name; });
-    return link != robot->links.end() && link->inertial ? link->inertial->mass : 0.0;
-  };
-  EXPECT_EQ(mass_of("stated"), 2.0);
-  EXPECT_EQ(mass_of("empty"), 0.5);
+  EXPECT_EQ(mass_of(*robot, "stated"), 2.0);
+  EXPECT_EQ(mass_of(*robot, "empty"), 0.5);
 }
 
+// Would catch totals of which bodies that are passed over, and what hangs on them, have no part.
+// Half of 10 kg is asked for.
+TEST(MjcfMasses, AddUpToTheTotalOfTheFile) {
+  Diagnostics diagnostics;
+  const auto robot = read(
+      "<compiler settotalmass='5'/><worldbody><body name='table'><geom size='1' mass='5'/>"
+      "<body name='lamp'><inertial pos='0 0 1' mass='1' diaginertia='1 1 1'/></body></body>"
+      "<body name='dog'><freejoint/><geom size='1' mass='3'/>"
+      "<body name='leg'><joint name='hip'/><geom size='1' mass='1'/></body></body></worldbody>",
+      diagnostics);
+  ASSERT_TRUE(robot) << to_string(diagnostics);
+  EXPECT_EQ(mass_of(*robot, "dog"), 1.5);
+  EXPECT_EQ(mass_of(*robot, "leg"), 0.5);
+}
+
+// Would catch: limits that readers by urdfdom refuse, and placeholders of our own that are warned
+// of.
 TEST(MjcfLimits, OfWhatHasNoneAreNumbers) {
   Diagnostics diagnostics;
   const std::string body = arm("<body><joint type='slide' range='-1 2'/><geom size='1'/></body>" +
