@@ -17,14 +17,16 @@ TL_INLINE bool tl_limit_rate(
     const TlConfig* config, TlState* state, TlJointsOut tau) {
   bool cut = false;
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
-    const real asked = tl_within(tau[i], config->torque[i]);
+    const real given = tau[i];
+    const real asked = tl_within(given, config->torque[i]);
     const real last =
         (state->known != 0) ? tl_within(state->tau[i], config->torque[i]) : asked;
     const real most = config->torque_rate[i] * config->period;
     const real change = asked - last;
     tau[i] =
         (tl_magnitude(change) <= most) ? asked : (last + tl_within(change, most));
-    cut = cut || (tl_magnitude(change) > most);
+    cut = cut || (tl_magnitude(change) > most) ||
+        (tl_magnitude(given) > config->torque[i]);
     state->tau[i] = tau[i];
   }
   state->known = 1;

@@ -148,10 +148,7 @@ class SafeState {
       std::fill(std::begin(tau), std::end(tau), 0.0);
       state_.braking = 0;
     }
-    bool cut = false;
-    for (int i = 0; i < nv; ++i) cut = cut || std::fabs(tau[i]) > config_.torque[i];
-    cut = Braking::tl_limit_rate(&config_, &state_, tau) || cut;
-    state_.cut = cut ? 1 : 0;
+    state_.cut = Braking::tl_limit_rate(&config_, &state_, tau) ? 1 : 0;
     return dragged && finite;
   }
 
