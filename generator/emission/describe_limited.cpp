@@ -31,6 +31,32 @@ std::string describe_stack(const EmissionContext& context, int values) {
                      values * number_bytes(context));
 }
 
+/// Statements that declare `layout`, the constant one with the shares that the arguments give.
+std::string print_shares(const EmissionContext& context, const Program& supported,
+                         const ShareWords& words) {
+  std::string text = fmt::format("{} layout;\n{}take_whole(&{}, &layout);\n", words.type,
+                                 words.scope, words.whole);
+  const std::pair<const char*, const char*> kinds[] = {{"active", "share_supports"},
+                                                       {"active_tasks", "share_tasks"}};
+  const auto address = [&](const std::string& array, const char* first) {
+    return words.by_address ? fmt::format("&{}{}", array, first) : array;
+  };
+  for (const auto& [symbol, function] : kinds) {
+    for (const Argument& argument : supported.arguments) {
+      if (argument.name != symbol) continue;
+      std::string name = argument.name;
+      if (words.of_batch) {
+        name += "_k";
+        text += fmt::format("{0} {1}[{2}];\n{3}take_state({4}, {2}, k, {5});\n",
+                            number_type(context), name, argument.rows, words.scope,
+                            address(argument.name, "[0][0]"), address(name, "[0]"));
+      }
+      text += fmt::format("{}{}({}, &layout);\n", words.scope, function, address(name, "[0]"));
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 const Program& find_supported(std::span<const Program> programs) {
@@ -94,30 +120,12 @@ std::string describe_cones(const LimitFacts& facts) {
   return text.empty() ? "No forces are limited." : text;
 }
 
-std::string print_shares(const EmissionContext& context, const Program& supported,
-                         const ShareWords& words) {
-  if (!context.limits->has_shares()) return "";
-  std::string text = fmt::format("{} layout;\n{}take_whole(&{}, &layout);\n", words.type,
-                                 words.scope, words.whole);
-  const std::pair<const char*, const char*> kinds[] = {{"active", "share_supports"},
-                                                       {"active_tasks", "share_tasks"}};
-  const auto address = [&](const std::string& array, const char* first) {
-    return words.by_address ? fmt::format("&{}{}", array, first) : array;
-  };
-  for (const auto& [symbol, function] : kinds) {
-    for (const Argument& argument : supported.arguments) {
-      if (argument.name != symbol) continue;
-      std::string name = argument.name;
-      if (words.of_batch) {
-        name += "_k";
-        text += fmt::format("{0} {1}[{2}];\n{3}take_state({4}, {2}, k, {5});\n",
-                            number_type(context), name, argument.rows, words.scope,
-                            address(argument.name, "[0][0]"), address(name, "[0]"));
-      }
-      text += fmt::format("{}{}({}, &layout);\n", words.scope, function, address(name, "[0]"));
-    }
-  }
-  return text;
+void add_share_holes(const EmissionContext& context, const Program& supported,
+                     const ShareWords& words, std::map<std::string, std::string>& holes) {
+  const bool shares = context.limits->has_shares();
+  holes["shares"] = shares ? print_shares(context, supported, words) : "";
+  holes["own_layout"] = shares ? "layout" : words.whole;
+  holes["of_layout"] = shares ? "&layout, " : "";
 }
 
 std::string print_torque_limits(const LimitFacts& facts, const Syntax& syntax,

@@ -89,7 +89,7 @@ bool holds_rows(const EmissionContext& context);
 /// Freedoms of torques and internal forces, at least one.
 int count_freedoms(const LimitFacts& facts);
 
-/// How a language writes what `print_shares` prints.
+/// How a language writes the layout of supports whose shares are arguments.
 struct ShareWords {
   std::string scope;  ///< of functions
   std::string type, whole;
@@ -97,10 +97,10 @@ struct ShareWords {
   bool of_batch = false;    ///< for state k of several
 };
 
-/// Statements that declare `layout`, the constant one with the shares that the arguments give;
-/// nothing where none come and go.
-std::string print_shares(const EmissionContext& context, const Program& supported,
-                         const ShareWords& words);
+/// Fills the holes of the layout that a call has: `shares`, the statements in front of it,
+/// `own_layout` and `of_layout`. Where nothing comes and goes that is the constant one.
+void add_share_holes(const EmissionContext& context, const Program& supported,
+                     const ShareWords& words, std::map<std::string, std::string>& holes);
 
 /// Lines for comments: the cost of a call, of one for a batch; the cones.
 std::string describe_limited_cost(const EmissionContext& context,

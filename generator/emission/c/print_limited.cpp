@@ -123,12 +123,9 @@ Holes list_source_holes(const EmissionContext& context, std::span<const Program>
       (holds ? "" : no_forces) + print_call(context, supported, form, holds ? "tau, f" : "tau");
   holes["matrices"] = print_matrices(context, programs, form);
   const std::string scope = context.name + "_";
-  holes["shares"] =
-      print_shares(context, supported,
-                   {scope, scope + "support_layout", scope + "layout", false, form.states > 1});
-  const bool shares = context.limits->has_shares();
-  holes["own_layout"] = shares ? "layout" : scope + "layout";
-  holes["of_layout"] = shares ? "&layout, " : "";
+  add_share_holes(context, supported,
+                  {scope, scope + "support_layout", scope + "layout", false, form.states > 1},
+                  holes);
   return holes;
 }
 

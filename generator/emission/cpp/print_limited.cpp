@@ -70,14 +70,8 @@ std::string print_matrices(const EmissionContext& context, std::span<const Progr
   return text;
 }
 
-/// The layout that the call has, and the statements in front of it.
-void add_shares(const EmissionContext& context, const Program& supported, bool of_batch,
-                std::map<std::string, std::string>& holes) {
-  holes["shares"] = print_shares(
-      context, supported, {"detail::", "detail::SupportLayout", "kSupportLayout", true, of_batch});
-  const bool shares = context.limits->has_shares();
-  holes["own_layout"] = shares ? "layout" : "kSupportLayout";
-  holes["of_layout"] = shares ? "&layout, " : "";
+ShareWords share_words(bool of_batch) {
+  return {"detail::", "detail::SupportLayout", "kSupportLayout", true, of_batch};
 }
 
 std::string print_limits(const EmissionContext& context) {
@@ -107,7 +101,7 @@ std::string print_limited(const EmissionContext& context, std::span<const Progra
       wrap_line(print_signature(context, supported, "", "LimitedTorque& limited"), 0);
   holes["supported"] = print_supported(context, supported, "");
   holes["matrices"] = print_matrices(context, programs, "");
-  add_shares(context, supported, false, holes);
+  add_share_holes(context, supported, share_words(false), holes);
   return fill_holes(templates::kLimited, holes);
 }
 
@@ -120,7 +114,7 @@ std::string print_batch_limited(const EmissionContext& context, std::span<const 
       print_signature(context, supported, "[kStates]", "LimitedTorque (&limited)[kStates]"), 0);
   holes["supported"] = print_supported(context, supported, "[kStates]");
   holes["matrices"] = print_matrices(context, batch, "[kStates]");
-  add_shares(context, supported, true, holes);
+  add_share_holes(context, supported, share_words(true), holes);
   return fill_holes(templates::kBatchLimited, holes);
 }
 
