@@ -116,7 +116,7 @@ std::optional<GeneratedInputs> make_code(const CheckCommand& options, Diagnostic
   if (!add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
     return std::nullopt;
   }
-  tell_size(options.inputs, *made);
+  warn_beforehand(options.inputs, *made);
   return made;
 }
 

@@ -251,7 +251,7 @@ int run(const GenerateOptions& options) {
       !add_selftest(made->inputs.robot, made->inputs.scene, made->generation, diagnostics)) {
     made.reset();
   }
-  if (made && writes(options)) tell_size(options.inputs, *made);
+  if (made && writes(options)) warn_beforehand(options.inputs, *made);
   ExitCode exit_code = failed ? kMismatch : kBadInput;
   // Before anything is written: a folder without its notes would look as if it had none.
   const auto evidence = made ? read_all_evidence(options, *made, diagnostics) : std::nullopt;

@@ -79,7 +79,7 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
   return GeneratedInputs{std::move(inputs), std::move(tried->generation), std::move(tried->failed)};
 }
 
-void tell_size(const InputOptions& options, const GeneratedInputs& made) {
+void warn_beforehand(const InputOptions& options, const GeneratedInputs& made) {
   Diagnostics diagnostics;
   warn_of_size(made.inputs.scene, made.generation, diagnostics);
   warn_of_speed_rise(made.inputs.scene, made.generation, diagnostics);

@@ -27,9 +27,9 @@ std::optional<GeneratedInputs> generate_from_inputs(const InputOptions& options,
                                                     RobotAndScene inputs, const Choices& choices,
                                                     Failing failing, Diagnostics& diagnostics);
 
-/// Tells at once, before anything is written or compiled, what there is of it where that is much
-/// (`warn_of_size`), where motors need a longer `speed_rise` than asked for, and which rows of a
-/// controller's points cannot be moved.
-void tell_size(const InputOptions& options, const GeneratedInputs& made);
+/// Warns at once, before anything is written or compiled, of much code (`warn_of_size`), of motors
+/// that need a longer `speed_rise` than asked for, and of rows of a controller's points that
+/// cannot be moved.
+void warn_beforehand(const InputOptions& options, const GeneratedInputs& made);
 
 }  // namespace treeline
