@@ -9,7 +9,7 @@ namespace humanoid24 {
 /// Stands for a limit that the URDF does not state: the largest finite number.
 inline constexpr double kUnlimited = 1.7976931348623157e+308;
 
-/// Of each entry of q: its joint, and what it measures.
+/// The joint of each entry of q, and what the entry measures.
 inline constexpr const char* kCoordinateJoints[24] = {
     "ankle", "knee", "hip", "waist_yaw", "waist_pitch", "waist_roll", "left_shoulder_pitch",
     "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_yaw", "left_wrist_pitch",
@@ -35,7 +35,7 @@ inline constexpr double kUpperLimits[24] = {
     0.9, 0.0, 2.2, 0.8, 1.2, 0.6, 1.2, 2.8, 1.8, 0.0, 2.0, 1.4, 0.9, 1.2, 0.5, 1.8, 0.0, 2.0, 1.4,
     0.9, 1.4, 0.8, 0.7, 0.7};
 
-/// Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd.
+/// The joint of each entry of qd, qdd and tau, and the entry's name with the unit of qd.
 inline constexpr const char* kVelocityJoints[24] = {
     "ankle", "knee", "hip", "waist_yaw", "waist_pitch", "waist_roll", "left_shoulder_pitch",
     "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_yaw", "left_wrist_pitch",

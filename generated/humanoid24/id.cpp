@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "2fdabb8eaaf6e01bdf4a2c599ea3548441814dfbd0c65aaa6ab783c468464650";
+    "ac95340875a2d8bcbc099613b5e63c39d59ed5a7675e8b919c1142dbc5471223";

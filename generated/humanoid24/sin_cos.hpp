@@ -398,9 +398,9 @@ inline void sin_cos(double x, double& sine, double& cosine) noexcept {
   sin_cos_steps<OneLane<double>>(x, sine, cosine);
 }
 
-/// The same in float, without one double operation: at most 0.8 ulp for |x| <= 4000 (every such
-/// float was tried). Beyond, up to 2^20, the result is that of an angle within one unit in the last
-/// place of `x`; beyond 2^20 it is sine 0 and cosine 1.
+/// Sine and cosine in float, without one double operation: at most 0.8 ulp for |x| <= 4000 (every
+/// such float was tried). Beyond, up to 2^20, the result is that of an angle within one unit in the
+/// last place of `x`; beyond 2^20 it is sine 0 and cosine 1.
 inline void sin_cos(float x, float& sine, float& cosine) noexcept {
   sin_cos_steps<OneLane<float>>(x, sine, cosine);
 }

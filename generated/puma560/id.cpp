@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "3b64948615eb7637f8b876e532a5c0d7f2ce63ded6e7c60105a714e2d1df841c";
+    "0fb2e2b6d2ba9b30be538375dc3e36e3189fc3c829e885319b1e397bd4d07edf";

@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "4842502c9ca520dc42b976c4565903cb78ab7975e37f8bb8cead1865e8f2fcb2";
+    "62175a5fd325d36e9820f4470baa038f3f43dca2d04c5b4776db1de7ef5fde44";

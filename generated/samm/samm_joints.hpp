@@ -9,7 +9,7 @@ namespace samm {
 /// Stands for a limit that the URDF does not state: the largest finite number.
 inline constexpr double kUnlimited = 1.7976931348623157e+308;
 
-/// Of each entry of q: its joint, and what it measures.
+/// The joint of each entry of q, and what the entry measures.
 inline constexpr const char* kCoordinateJoints[9] = {
     "base_x", "base_y", "base_yaw", "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
 inline constexpr const char* kCoordinateMeanings[9] = {
@@ -26,7 +26,7 @@ inline constexpr double kLowerLimits[9] = {
 inline constexpr double kUpperLimits[9] = {
     10.0, 10.0, kUnlimited, 2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
 
-/// Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd.
+/// The joint of each entry of qd, qdd and tau, and the entry's name with the unit of qd.
 inline constexpr const char* kVelocityJoints[9] = {
     "base_x", "base_y", "base_yaw", "joint1", "joint2", "joint3", "joint4", "joint5", "joint6"};
 inline constexpr const char* kVelocityNames[9] = {

@@ -9,7 +9,7 @@ namespace ur10e {
 /// Stands for a limit that the URDF does not state: the largest finite number.
 inline constexpr double kUnlimited = 1.7976931348623157e+308;
 
-/// Of each entry of q: its joint, and what it measures.
+/// The joint of each entry of q, and what the entry measures.
 inline constexpr const char* kCoordinateJoints[6] = {
     "shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
 inline constexpr const char* kCoordinateMeanings[6] = {
@@ -27,7 +27,7 @@ inline constexpr double kUpperLimits[6] = {
     6.283185307179586, 6.283185307179586, 3.141592653589793, 6.283185307179586, 6.283185307179586,
     6.283185307179586};
 
-/// Of each entry of qd, qdd and tau: its joint, and its name with the unit of qd.
+/// The joint of each entry of qd, qdd and tau, and the entry's name with the unit of qd.
 inline constexpr const char* kVelocityJoints[6] = {
     "shoulder_pan", "shoulder_lift", "elbow", "wrist_1", "wrist_2", "wrist_3"};
 inline constexpr const char* kVelocityNames[6] = {

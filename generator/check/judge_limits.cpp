@@ -20,7 +20,7 @@ double hierarchy_of(Real real) {
 
 /// Seventh root of 256 units of rounding: what is left of cones of supports that are held less.
 double least_share_of(Real real) {
-  return std::pow(256 * (real == Real::float32 ? 0x1p-23 : 0x1p-52), 1.0 / 7);
+  return std::pow(256 * unit_of(real), 1.0 / 7);
 }
 
 /// Largest error as a multiple of the effect of rounding the matrices. The unknowns of all levels

@@ -39,7 +39,7 @@ std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene&
                                                 const Choices& choices, const TellFunction& tell,
                                                 Diagnostics& diagnostics);
 
-/// The same, reducing the mechanism first.
+/// Reduces the mechanism first, then chooses likewise.
 std::optional<ChosenFunctions> choose_functions(const Robot& robot, const Scene& scene,
                                                 const Choices& choices, Diagnostics& diagnostics);
 

@@ -47,7 +47,8 @@ std::vector<GeneratedFile> print_ground(const Contents& contents);
 /// Sizes that runtime/emitted/ground_robot.h lists, and how many entries a factor has.
 std::string print_ground_sizes(const GroundUnit& unit, const Adaptation& own);
 
-/// Its tables: what of the robot may touch the ground, and which velocities move it.
+/// Tables of the step on the ground: what of the robot may touch it, and which velocities move
+/// that.
 std::string print_ground_tables(const EmissionContext& context, const GroundUnit& unit);
 
 /// The body of a function whose straight lines end with a routine, see `Ending`: tables and locals

@@ -70,7 +70,7 @@ std::vector<GroundTable> list_shapes(const GroundUnit& unit) {
   return {tips, shapes_of.table(), balls, points_of.table(), radii, axes, levels, points};
 }
 
-/// Of a velocity the path from the root that ends with it.
+/// The path from the root that ends with a velocity.
 std::vector<int> path_to(const GroundUnit& unit, int velocity) {
   std::vector<int> path = unit.before[static_cast<std::size_t>(velocity)];
   path.push_back(velocity);

@@ -13,8 +13,9 @@ namespace treeline {
 LimitFacts describe_limits(const Robot& robot, const Scene& scene, const Mechanism& mechanism,
                            const std::vector<GeneratedFunction>& functions);
 
-/// Reports constraints with friction along whose normal nothing can move, as of a wheel under a
-/// base that keeps its height: their normal force would be whatever suits the limits.
+/// Reports what limits cannot be kept with: constraints with friction along whose normal nothing
+/// can move, as of a wheel under a base that keeps its height, whose normal force would be whatever
+/// suits the limits; and rows that depend on each other beside constraints that come and go.
 void check_held_rows(const Scene& scene, const Mechanism& mechanism,
                      const std::vector<GeneratedFunction>& functions, Diagnostics& diagnostics);
 

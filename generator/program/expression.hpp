@@ -90,7 +90,7 @@ class Expression {
   [[nodiscard]] bool is_limb_constant() const;
   /// Value of a constant, including its sign.
   [[nodiscard]] double constant() const;
-  /// The same before it was rounded.
+  /// Value of a constant before it was rounded, including its sign.
   [[nodiscard]] DoubleDouble exact_constant() const;
 
   Expression operator-() const { return is_zero() ? *this : Expression(node_, !negative_); }

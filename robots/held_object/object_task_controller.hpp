@@ -54,7 +54,7 @@ class JointSprings {
   double advised_[nv] = {};
 };
 
-/// Of robots whose joints are all taken by the task.
+/// The posture of robots whose joints are all taken by the task: none.
 template <class F>
 struct NoPosture {
   void start(const servo::StateOf<F>&) const noexcept {}

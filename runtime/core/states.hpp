@@ -40,7 +40,7 @@ TREELINE_STATES_INLINE void store_pack(const Pack<Real, count>& pack, Real* row)
   }
 }
 
-/// The same numbers in an object of its own, number by number: of a copy of the whole some
+/// Copies numbers into an object of its own, one by one: of a copy of the whole some
 /// compilers make a call of memcpy.
 template <class Real, int count, bool fits>
 TREELINE_STATES_INLINE Lanes<Real, count, fits> copy_of(

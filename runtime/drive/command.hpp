@@ -58,7 +58,7 @@ struct Command {
 
 /// What its angles were given in and are answered in, rad; in rad itself 1.
 double angle_unit(const Command& command);
-/// Its name: `deg` or `rad`.
+/// Name of the unit of its angles: `deg` or `rad`.
 const char* angle_unit_name(const Command& command);
 
 /// Why a line is no command.

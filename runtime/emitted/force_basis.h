@@ -131,7 +131,7 @@ TL_INLINE void tl_put_present_first(
 
 #endif
 
-/// Of J_s, held x velocities.
+/// Finds the basis of forces that J_s, held x velocities, has.
 TL_INLINE void tl_find_force_basis(
     const TlSupportLayout* layout, const real* J_s, TlForceBasis* basis) {
   real W[TL_HELD_ENTRIES * TL_BASIS_COLS];

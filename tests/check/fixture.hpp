@@ -63,7 +63,7 @@ inline Subjects in_scene(const std::optional<Robot>& robot, const std::string& s
   return {*robot, *scene, generate(*robot, *scene)};
 }
 
-/// The same of a robot in a file.
+/// Reads a robot in a file likewise.
 inline Subjects in_scene(const std::string& urdf, const std::string& scene_text) {
   Diagnostics diagnostics;
   return in_scene(read_urdf(urdf, diagnostics), scene_text);

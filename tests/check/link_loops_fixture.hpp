@@ -75,7 +75,7 @@ inline void expect_right(Subjects unmade, Real real, const std::vector<Function>
   }
 }
 
-/// Of `profile: misra`, which may not have other bits either.
+/// Checks code of `profile: misra`, which may not have other bits either.
 inline void expect_safe(Subjects unmade, Real real) {
   unmade.scene.profile = Profile::misra;
   expect_right(std::move(unmade), real, all_with_form());

@@ -99,7 +99,7 @@ TEST(LinkLoopsCheck, ExternalForces) {
   expect_right(subjects, Real::float32, functions);
 }
 
-/// Its points in strict priority as they are listed.
+/// Puts the points in strict priority as they are listed.
 Subjects in_priority(Subjects subjects) {
   int priority = 1;
   for (ScenePoint& point : subjects.scene.operational_points) point.priority = priority++;

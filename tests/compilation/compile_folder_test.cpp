@@ -127,7 +127,7 @@ TEST_F(FolderTest, NoCompiler) {
   expect_error("/no/such/compiler");
 }
 
-/// The same folder in C.
+/// A folder of the same functions in C.
 class CFolderTest : public FolderTest {
  protected:
   CFolderTest() {

@@ -46,7 +46,7 @@ SimulatedArm complying(double joint, double point, double turn) {
   return arm;
 }
 
-/// Of motion and of the springs, J.
+/// Energy of motion and of the springs, J.
 double energy(const SimulatedArm& arm) {
   double E[1];
   puma_arm::kinetic_energy(arm.input.q, arm.input.qd, E);

@@ -111,7 +111,7 @@ Vector by_enumeration(const ContactProblem& problem) {
   return Vector::Zero(3 * count);
 }
 
-/// The same problem without friction, which has one solution in v.
+/// The problem without friction, which has one solution in v.
 ContactProblem without_friction(ContactProblem problem, ContactDraw& draw, bool bounces) {
   for (auto& law : problem.laws) {
     law.friction = 0;

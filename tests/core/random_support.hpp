@@ -178,7 +178,7 @@ inline double most_beyond_cones(const auto& support, const Vector& f) {
   return most;
 }
 
-/// The same program in the coordinates of the null space, with hard cones widened by `slack`.
+/// The program in the coordinates of the null space, with hard cones widened by `slack`.
 template <class Sizes>
 Vector solve_otherwise(const Support<Sizes>& support, double slack) {
   constexpr int V = Sizes::kVelocities, P = Sizes::kPassive, C = Sizes::kCones;

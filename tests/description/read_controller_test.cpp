@@ -11,7 +11,7 @@ namespace {
 
 const std::string kPoint = "operational_points: [{name: tip, link: tool}]\n";
 
-/// Of the joint of which the URDF states no limit.
+/// Limits of the joint of which the URDF states none.
 const std::string kShoulder = "shoulder: {speed: 2, torque: 9}";
 
 TEST(ReadController, ReadsEverySetting) {

@@ -48,7 +48,7 @@ TEST(ReadLimits, ReadsEverySetting) {
   }
 }
 
-/// Of continuous joints a URDF need not state any, those that mimic and passive ones have none.
+/// A URDF need not state limits of continuous joints; those that mimic and passive ones have none.
 TEST(ReadLimits, TakesTheEffortsOfTheFile) {
   Diagnostics diagnostics;
   const auto scene = read("base: floating\n" + kHand + hold("friction: 0.5") +

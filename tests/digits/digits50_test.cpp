@@ -21,7 +21,7 @@ namespace {
 using Boost = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                             boost::multiprecision::et_off>;
 
-/// The same number in both types, made from doubles, which both convert exactly.
+/// A number in both types, made from doubles, which both convert exactly.
 struct Twin {
   Digits50 own;
   Boost boost;

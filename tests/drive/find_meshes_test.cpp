@@ -52,25 +52,25 @@ TEST_F(MeshTest, FindsOnlyMeshesBelowTheirFolder) {
 // A home is above each robot in it, and has a name too.
 TEST_F(MeshTest, AFolderAboveIsAPackageOnlyIfItSaysSo) {
   make("home/secret/key.stl");
-  make("home/work/arm/arm.urdf");
-  make("home/work/other/c.stl");
-  for (const char* name : {"package://home/secret/key.stl", "package://work/other/c.stl",
+  make("home/robots/arm/arm.urdf");
+  make("home/robots/other/c.stl");
+  for (const char* name : {"package://home/secret/key.stl", "package://robots/other/c.stl",
                            "package://secret/key.stl", "package://other/c.stl"}) {
-    const ServedMesh mesh = find(name, "home/work/arm");
+    const ServedMesh mesh = find(name, "home/robots/arm");
     EXPECT_EQ(mesh.path, "") << name;
     EXPECT_NE(mesh.problem.find("no package.xml"), std::string::npos) << mesh.problem;
     EXPECT_NE(mesh.remedy.find("--package "), std::string::npos) << mesh.remedy;
   }
-  const ServedMesh told = find("package://other/c.stl", "home/work/arm");
-  EXPECT_EQ(told.remedy, "If it is meant: --package other=" + path("home/work/other") + ".");
+  const ServedMesh told = find("package://other/c.stl", "home/robots/arm");
+  EXPECT_EQ(told.remedy, "If it is meant: --package other=" + path("home/robots/other") + ".");
   MeshPlaces given;
-  given.packages["other"] = root_ / "home/work/other";
-  EXPECT_EQ(find("package://other/c.stl", "home/work/arm", given).path,
-            path("home/work/other/c.stl"));
-  make("home/work/other/package.xml");
-  EXPECT_EQ(find("package://other/c.stl", "home/work/arm").path, path("home/work/other/c.stl"));
-  make("home/work/package.xml");
-  EXPECT_NE(find("package://work/other/c.stl", "home/work/arm").path, "");
+  given.packages["other"] = root_ / "home/robots/other";
+  EXPECT_EQ(find("package://other/c.stl", "home/robots/arm", given).path,
+            path("home/robots/other/c.stl"));
+  make("home/robots/other/package.xml");
+  EXPECT_EQ(find("package://other/c.stl", "home/robots/arm").path, path("home/robots/other/c.stl"));
+  make("home/robots/package.xml");
+  EXPECT_NE(find("package://robots/other/c.stl", "home/robots/arm").path, "");
 }
 
 TEST_F(MeshTest, FindsWhatTheUserConsentsTo) {

@@ -18,7 +18,7 @@
 namespace treeline {
 namespace {
 
-/// Of the sample: a motor, a joint without one, three forces in a cone.
+/// Limits of the sample: a motor, a joint without one, three forces in a cone.
 LimitFacts limits_of_two() {
   LimitFacts limits;
   limits.passive = {1};

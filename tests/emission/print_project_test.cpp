@@ -73,7 +73,7 @@ TEST(PrintSmallCode, JoinsLoopsInC) {
   EXPECT_NE(joined.find("    " + programs[0].name + ".c\n"), std::string::npos) << joined;
 }
 
-/// Of two operations for each link.
+/// A program of two operations for each link.
 Program trace_chain(const std::string& name, int links) {
   Program program;
   program.name = name;

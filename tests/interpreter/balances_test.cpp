@@ -33,7 +33,7 @@ class Balances : public testing::TestWithParam<std::tuple<Standing, PointAxes>> 
                                                         c_.task.loops, q) *
            qd;
   }
-  /// Of a figure of the state along the motion.
+  /// Rate of a figure of the state along the motion.
   template <class F>
   [[nodiscard]] auto rate_of(const F& figure) const {
     return derivative([&](const Digits50& t) {

@@ -17,7 +17,8 @@ class Coriolis : public testing::TestWithParam<NamedOptions> {
   const Case c_ = random_case(GetParam().seed, GetParam().options);
 };
 
-/// Those of few joints: the derivatives of M take as many mass matrices as there are velocities.
+/// Mechanisms of few joints: the derivatives of M take as many mass matrices as there are
+/// velocities.
 std::vector<NamedOptions> small_mechanisms() {
   std::vector<NamedOptions> list = assorted_mechanisms();
   std::erase_if(list, [](const NamedOptions& named) { return named.options.joints > 10; });

@@ -92,7 +92,7 @@ class Rolling : public testing::TestWithParam<Standing> {
     const interpreter::Vector3<Digits50> seen = at.R.transpose() * at.d;
     loop.second.p += loop.second.R * (seen - wanted);
   }
-  /// Of the angle between a disc's axis and the normal; 1 for balls.
+  /// Sine of the angle between a disc's axis and the normal; 1 for balls.
   [[nodiscard]] Digits50 sine_of(const interpreter::Loop<Digits50>& loop) const {
     if (!loop.rolling->axis) return 1;
     const interpreter::detail::LoopState<Digits50> at(

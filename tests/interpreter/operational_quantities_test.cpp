@@ -71,7 +71,7 @@ TEST_P(OperationalQuantities, ForcesAreThoseOfTheTasksEquationOfMotion) {
   EXPECT_LT(relative_error(F, Vector50(Jbar_.transpose() * c_.tau)), tolerance_ * scale(qdd));
 }
 
-/// The same mechanism with a load fixed to a body: mass, centre and inertia about it, in the body's
+/// A mechanism with a load fixed to a body: mass, centre and inertia about it, in the body's
 /// frame.
 Model50 with_load(Model50 model, int body, const Digits50& mass, const Vector3<Digits50>& center,
                   const Matrix3<Digits50>& central) {

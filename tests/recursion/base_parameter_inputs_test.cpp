@@ -126,7 +126,7 @@ class BaseParameterArguments : public testing::TestWithParam<Seeded> {
 
 INSTANTIATE_TEST_SUITE_P(Robots, BaseParameterArguments, testing::ValuesIn(robots()));
 
-/// Those of the robots that have a floating base.
+/// Robots that have a floating base.
 std::vector<Seeded> floating_robots() {
   std::vector<Seeded> floating = robots();
   std::erase_if(floating,

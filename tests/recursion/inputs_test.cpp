@@ -24,7 +24,7 @@ namespace {
 
 namespace ip = interpreter;
 
-/// The same robot as functions with arguments see it, and as files would describe it.
+/// A robot as functions with arguments see it, and as files would describe it.
 struct Changed {
   Robot robot, files_robot;
   Scene scene, files_scene;

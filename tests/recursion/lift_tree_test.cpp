@@ -92,7 +92,7 @@ TEST(LiftTree, IsTheTreeOfTheMechanism) {
   }
 }
 
-/// Of so many nodes, and one for the constant 0.
+/// A tree of so many nodes, and one for the constant 0.
 Program program_of(const std::string& algorithm, int nodes) {
   Program program;
   program.route = {algorithm, "", "asked", ""};

@@ -70,7 +70,7 @@ class Regressor : public testing::TestWithParam<Seeded> {
     draw();
   }
 
-  /// Of every second joint that has a column.
+  /// Gives friction to every second joint that has a column.
   void add_friction() {
     bool every_second = false;
     for (const Joint& joint : made_.robot.joints) {
@@ -129,7 +129,7 @@ class Regressor : public testing::TestWithParam<Seeded> {
     }
     return rows;
   }
-  /// Of matter as in the file, with what is fixed to the links.
+  /// Parameters of matter as in the file, with what is fixed to the links.
   [[nodiscard]] Vector50 parameters_of_file() const {
     Vector50 p = Vector50::Zero(static_cast<Eigen::Index>(columns_.size()));
     for (Eigen::Index k = 0; k < p.size(); ++k) {

@@ -29,7 +29,7 @@ int states(const Effort& effort) {
   return effort.quick ? 2 : 12;
 }
 
-/// The same robot in states that the exponent changes.
+/// The robot in states that the exponent changes.
 template <class Change>
 std::vector<Sample> sweep_states(const Bench& bench, const std::vector<double>& exponents,
                                  int count, Change change) {

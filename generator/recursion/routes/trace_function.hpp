@@ -30,8 +30,8 @@ enum class Names { kept, forgotten };
 std::function<Program(Names names)> prepare_route(const Mechanism& mechanism, Function function,
                                                   const RouteId& id);
 
-/// Of each operational point the world's z axis in the point's axes, and the height of its origin:
-/// four entries, of `q`. The caller gives programs of this header their names.
+/// The world's z axis in the axes of each operational point, and the height of its origin: four
+/// entries for a point, of `q`. The caller gives programs of this header their names.
 Program trace_heights(const Mechanism& mechanism, int lanes);
 
 /// What the mechanism is at a pose for impulses at points near its operational points, of `q`:

@@ -10,8 +10,8 @@ namespace treeline {
 /// Which freedoms carry which, as `TlTree` of `runtime/emitted/solve_columns.h` has it.
 class TreePaths {
  public:
-  /// Of so many freedoms. `relates(k, i)` with i < k says whether L of M = L^T D L has an entry
-  /// there.
+  /// Paths of so many freedoms. `relates(k, i)` with i < k says whether L of M = L^T D L has an
+  /// entry there.
   TreePaths(int velocities, const std::function<bool(int k, int i)>& relates);
 
   /// The freedoms that carry one, from the first on. Its factors in L have this order.

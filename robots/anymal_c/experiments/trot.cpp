@@ -36,7 +36,7 @@ AnymalState initial_state() {
   return state;
 }
 
-/// Those of the joints. The base has no motor: any torque at it is a fault.
+/// Limits of the joints. The base has no motor: any torque at it is a fault.
 Limits limits_of_anymal() {
   Limits limits = servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
                                    robot::kEffortLimits);

@@ -35,7 +35,7 @@ struct AllegroHand {
   static constexpr auto& forward_dynamics = apart::forward_dynamics;
   static constexpr auto& supported_control_torque = allegro_ball::supported_control_torque;
 
-  /// Of hand and ball apart.
+  /// Hand and ball as if they did not touch.
   static void inverse_dynamics(const double (&q)[kCoordinates], const double (&qd)[kVelocities],
                                const double (&qdd)[kVelocities],
                                double (&tau)[kVelocities]) noexcept {

@@ -149,7 +149,7 @@ class PressingRobot {
     time_ += seconds;
   }
 
-  /// Of the force sensor: the force of the flange on the plate, world axes, N.
+  /// What the force sensor reads: the force of the flange on the plate, world axes, N.
   void read_force(double (&force)[3]) const noexcept {
     const Plate plate = plate_at(time_, origin_);
     const double felt = plate_force(plate, tool_of(state_));
@@ -175,7 +175,7 @@ class PressController {
   }
 
   [[nodiscard]] Plate plate(double time) const { return plate_at(time, origin_); }
-  /// Of the last call of `control`.
+  /// What the last call of `control` came to.
   [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
   void start(double, const State&) noexcept {}

@@ -8,7 +8,7 @@
 namespace treeline::peer::pin {
 namespace {
 
-/// Of a motion, so many results.
+/// Arguments of a function of a motion, and so many results.
 Shape of_motion(const Solver<double>& s, std::size_t results) {
   const auto nv = s.place.size();
   return {{s.position_count(), nv, nv}, results};

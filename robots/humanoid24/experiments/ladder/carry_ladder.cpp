@@ -53,7 +53,7 @@ enum Column : std::size_t {
   kCoordinates,
   kColumns = kCoordinates + Humanoids::kCoordinates
 };
-/// Of the virtual linkage's rods, those between the hands of one humanoid: 12 and 34.
+/// Rods of the virtual linkage between the hands of one humanoid: 12 and 34.
 constexpr std::array<std::size_t, 2> kOwnRods = {0, 5};
 
 std::array<double, Humanoids::kInternal> commanded_internal(const LadderPlan& plan) {

@@ -48,7 +48,7 @@ HumanoidState initial_state() {
   return state;
 }
 
-/// Those of the joints. The base has no motor: any torque at it is a fault.
+/// Limits of the joints. The base has no motor: any torque at it is a fault.
 Limits limits_of_humanoid() {
   Limits limits = servo::limits_of(robot::kLowerLimits, robot::kUpperLimits, robot::kVelocityLimits,
                                    robot::kEffortLimits);

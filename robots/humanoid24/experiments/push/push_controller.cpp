@@ -25,7 +25,7 @@ constexpr int kJoints = kRates - 6;
 constexpr int kAnkle = 0, kHip = 2, kWaistRoll = 5,
               kNeck = 20;  ///< joints in the generated code's order
 
-/// Of the posture's springs: weak in the legs, which balance, strong in light joints.
+/// Gains of the posture's springs: weak in the legs, which balance, strong in light joints.
 constexpr core::Gains<double> gains_of(int joint) noexcept {
   if (joint <= kHip) return {25.0, 10.0};
   if (joint <= kWaistRoll) return {60.0, 16.0};

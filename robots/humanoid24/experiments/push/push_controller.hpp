@@ -9,7 +9,7 @@ namespace treeline::experiments {
 
 using HumanoidState = servo::StateOf<HumanoidOnSoles>;
 
-/// Of the waist, and of the hand: when they begin and end, s.
+/// When motions of the waist and of the hand begin and end, s.
 struct PushTimes {
   double lean_end = 6.0;  ///< the waist leans to one side and the other before
   double reach = 6.5;     ///< the hand leaves its place
@@ -32,8 +32,8 @@ class PushController {
   void control(double time, const HumanoidState& state,
                double (&tau)[HumanoidOnSoles::kVelocities]) noexcept;
 
-  /// Of the last cycle: forces of the feet that were chosen, what became of the limits, distance of
-  /// the hand from its path (m), and the centre of mass.
+  /// What the last cycle came to: forces of the feet that were chosen, what became of the limits,
+  /// distance of the hand from its path (m), and the centre of mass.
   const double (&forces() const noexcept)[kHeldRows] { return f_; }
   const humanoid24_push::LimitedTorque& limited() const noexcept { return limited_; }
   double hand_error() const noexcept { return hand_error_; }

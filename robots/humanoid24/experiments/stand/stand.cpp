@@ -74,8 +74,8 @@ struct Body {
 };
 using State = servo::StateOf<Body>;
 
-/// Of speeds and torques, those of the URDF; the base has no motors. Limits of position are left
-/// out: the law does not know them, and the wrist passes its own by a tenth of a degree.
+/// Limits of speeds and torques as the URDF has them; the base has no motors. Limits of position
+/// are left out: the law does not know them, and the wrist passes its own by a tenth of a degree.
 servo::SafetyLimits<kPositions, kRates> limits_of_humanoid() {
   servo::SafetyLimits<kPositions, kRates> limits;
   std::copy(std::begin(robot::kVelocityLimits), std::end(robot::kVelocityLimits),

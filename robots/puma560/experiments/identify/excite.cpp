@@ -10,7 +10,7 @@
 namespace treeline::experiments {
 namespace {
 
-/// Of the URDF, rad.
+/// Limits of position as the URDF has them, rad.
 const JointVector kLower{-2.79, -3.93, -0.79, -1.92, -1.75, -4.64};
 const JointVector kUpper{2.79, 0.79, 3.93, 2.97, 1.75, 4.64};
 /// What the motion may take of speeds and accelerations: rad/s, rad/s^2.

@@ -28,7 +28,7 @@ class Excitation {
 
   /// A random motion within the joints' limits and speeds that the arm can follow.
   explicit Excitation(std::uint64_t seed);
-  /// Of so many random motions the one whose rows have the least condition number, each column
+  /// The one of so many random motions whose rows have the least condition number, each column
   /// divided by its length.
   static Excitation search(std::uint64_t seed, int candidates);
 
