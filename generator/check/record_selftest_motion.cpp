@@ -60,6 +60,7 @@ std::vector<std::pair<std::string, MessageKind>> list_commands(const ControllerU
       {"START", MessageKind::start}, {"MOVE_JOINTS", MessageKind::set_posture}};
   if (unit.task_torque) commands.emplace_back("MOVE_POINT", MessageKind::move_point);
   if (unit.settings.force) commands.emplace_back("PRESS", MessageKind::press);
+  if (unit.behaves()) commands.emplace_back("BEHAVE", MessageKind::behave);
   commands.emplace_back("COMPLY", MessageKind::comply);
   commands.emplace_back("LEAD_JOINTS", MessageKind::lead_posture);
   commands.emplace_back("STOP", MessageKind::stop);

@@ -129,6 +129,15 @@ void StepMotion::press() {
   command(static_cast<int>(MessageKind::press), 20 * period_);
 }
 
+/// The last set of tasks that the controller knows, or the first again.
+void StepMotion::behave(bool first) {
+  const StepMember* const shares = library_.find(StepPart::config, "behaviour_share");
+  if (shares == nullptr) return;
+  const std::size_t tasks = library_.find(StepPart::state, "active_tasks")->count;
+  command(static_cast<int>(MessageKind::behave), 15 * period_);
+  set("command.point", {static_cast<long double>(first ? 0 : (shares->count / tasks) - 1)});
+}
+
 /// Commands that have to be refused.
 void StepMotion::command_nonsense(int which) {
   const auto posture = static_cast<int>(MessageKind::set_posture);
@@ -168,6 +177,8 @@ void StepMotion::follow_script() {
   if (tick_ == 165) command(kind(MessageKind::start));
   if (tick_ >= 170 && tick_ < 174) command_nonsense(tick_ - 170);
   if (tick_ == 180) move_point(0.02, 60 * period_);
+  if (tick_ == 215) behave(false);
+  if (tick_ == 235) behave(true);
   if (tick_ == 250) press();
   if (tick_ == 290) move_joints(0.1, 100 * period_);
   if (tick_ == 320) command(kind(MessageKind::stop));

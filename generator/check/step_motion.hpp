@@ -40,6 +40,7 @@ class StepMotion {
                    core::MessageKind kind = core::MessageKind::set_posture);
   void move_point(double size, double duration);
   void press();
+  void behave(bool first);
   void observe();
   void comply();
   void command_nonsense(int which);

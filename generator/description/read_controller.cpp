@@ -190,8 +190,8 @@ std::string find_unfit_joint(const Robot& robot, const Scene& scene) {
 }
 
 void read_controller(const SceneElement& element, const Robot& robot, Scene& scene) {
-  std::vector<std::string> keys = {"laws",        "saturation", "stale_ticks",
-                                   "blind_ticks", "limits",     "motors"};
+  std::vector<std::string> keys = {"laws",   "saturation", "stale_ticks", "blind_ticks",
+                                   "limits", "motors",     "behaviours"};
   for (const NumberKey& row : kNumbers) keys.emplace_back(row.key);
   const auto fields = element.fields(keys);
   SceneController controller;
@@ -214,6 +214,9 @@ void read_controller(const SceneElement& element, const Robot& robot, Scene& sce
   }
   if (const auto motors = fields.find("motors"); motors != fields.end()) {
     read_motors(motors->second, robot, scene, controller);
+  }
+  if (const auto behaviours = fields.find("behaviours"); behaviours != fields.end()) {
+    read_behaviours(behaviours->second, scene, controller);
   }
   check_frequencies(element, controller);
   scene.controller = controller;
@@ -248,6 +251,7 @@ void check_controller(const SceneElement& scene_top, const Robot& robot,
   }
   check_controller_limits(top, robot, scene);
   check_motors(top, robot, scene);
+  check_behaviours(top, scene);
   if (scene.controller->task && scene.operational_points.empty()) {
     top.error("the controller has a law of tasks, but there is no operational point",
               "add a list operational_points, or keep to laws: [joint_impedance]");

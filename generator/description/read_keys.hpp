@@ -103,6 +103,15 @@ void read_motors(const SceneElement& element, const Robot& robot, const Scene& s
 /// told by nobody.
 void check_motors(const SceneElement& top, const Robot& robot, const Scene& scene);
 
+/// The controller's `behaviours`: by name the operational points whose tasks are done, of those
+/// that `inputs: active` lists. Errors: points that are not there, names that are no identifiers or
+/// the same in capitals.
+void read_behaviours(const SceneElement& element, const Scene& scene, SceneController& controller);
+
+/// Reports as an error behaviours without a law of tasks, and tasks that come and go in a
+/// controller without behaviours: nothing would ever do them.
+void check_behaviours(const SceneElement& top, const Scene& scene);
+
 /// The scene's `controller`: laws, period, gains and limits of the controller to emit. Errors: no
 /// law, a law twice, numbers that no controller can have, frequencies that the period cannot
 /// follow, limits of a joint that is unknown or has no coordinate of its own.

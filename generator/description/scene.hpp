@@ -218,6 +218,12 @@ struct SceneMotor {
   double current = 0;   ///< largest current, A; 0: no limit of its own
 };
 
+/// A set of operational points whose tasks are done, of those that come and go.
+struct SceneBehaviour {
+  std::string name;  ///< an identifier
+  std::vector<std::string> tasks;
+};
+
 /// The controller to emit, `NAME_step`. All numbers are defaults of its configuration.
 struct SceneController {
   bool task = false;            ///< has the law of tasks beside that of joints
@@ -249,6 +255,7 @@ struct SceneController {
   int blind_ticks = 100;          ///< steps that gravity is held without a measurement
   std::map<std::string, SceneJointLimits> limits;  ///< by joint
   std::map<std::string, SceneMotor> motors;        ///< by joint: of all or of none
+  std::vector<SceneBehaviour> behaviours;          ///< the first is what it begins with
 };
 
 /// Choices for the code of one robot; every key but `operational_points` has a default.

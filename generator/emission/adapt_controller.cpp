@@ -76,6 +76,7 @@ Adaptation adapt_controller(const EmissionContext& context, const ControllerUnit
   own.words["TL_SERIES_TERMS"] = context.single_precision ? "9" : "15";
   own.words["TL_TASK"] = unit.task_torque ? "1" : "0";
   own.words["TL_CURRENT"] = unit.tells_currents() ? "1" : "0";
+  own.words["TL_BEHAVES"] = unit.behaves() ? "1" : "0";
   own.words["TL_FORCE"] = unit.settings.force ? "1" : "0";
   if (context.misra) own.words["tl_square_root"] = adapt_words("tl_root", own);
   add_arrays(context, own);

@@ -6,18 +6,20 @@
 namespace treeline {
 
 std::string variable_of(const std::string& argument) {
-  static const std::map<std::string, std::string> kVariables = {{"q", "at->q"},
-                                                                {"sin_q", "at->sin_q"},
-                                                                {"cos_q", "at->cos_q"},
-                                                                {"qd", "at->qd"},
-                                                                {"qdd", "qdd"},
-                                                                {"qdd_0", "qdd_0"},
-                                                                {"tau", "tau"},
-                                                                {"xdd_cmd", "xdd_cmd"},
-                                                                {"position", "at->position"},
-                                                                {"g", "at->gravity"},
-                                                                {"rotation", "at->rotation"},
-                                                                {"velocity", "at->velocity"}};
+  static const std::map<std::string, std::string> kVariables = {
+      {"q", "at->q"},
+      {"sin_q", "at->sin_q"},
+      {"cos_q", "at->cos_q"},
+      {"qd", "at->qd"},
+      {"qdd", "qdd"},
+      {"qdd_0", "qdd_0"},
+      {"tau", "tau"},
+      {"xdd_cmd", "xdd_cmd"},
+      {"position", "at->position"},
+      {"g", "at->gravity"},
+      {"rotation", "at->rotation"},
+      {"velocity", "at->velocity"},
+      {"active_tasks", "state->active_tasks"}};
   const auto found = kVariables.find(argument);
   return found == kVariables.end() ? std::string() : found->second;
 }

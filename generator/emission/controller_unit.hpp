@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -41,10 +42,18 @@ struct ControllerUnit {
     std::string name;
     std::array<bool, 6> rows{};
     bool own_axes = false;
+    int share = -1;  ///< place among the points whose tasks come and go; -1: it is always done
   };
   std::vector<Point> points;
   int rows = 0;  ///< of all points
 
+  /// How many points there are whose tasks come and go.
+  [[nodiscard]] std::size_t count_shares() const {
+    return static_cast<std::size_t>(std::count_if(
+        points.begin(), points.end(), [](const Point& point) { return point.share >= 0; }));
+  }
+  /// Whether commands choose between behaviours.
+  [[nodiscard]] bool behaves() const { return !settings.behaviours.empty(); }
   /// Whether the output has currents beside torques.
   [[nodiscard]] bool tells_currents() const { return !settings.motors.empty(); }
   [[nodiscard]] std::vector<const Program*> programs() const {

@@ -61,11 +61,17 @@ std::string print_adopt(const std::vector<Argument>& inputs) {
 }
 
 std::string print_sizes(const ControllerUnit& unit, const Adaptation& own) {
-  const Constant constants[] = {{"ROWS", unit.rows, "of the task"},
-                                {"JOINT_LAW", 0, ""},
-                                {"TASK_LAW", 1, ""},
-                                {"COMPLIANCE_LAW", 2, ""},
-                                {"DISCONNECT", 1, "a command of loops, which stops"}};
+  std::vector<Constant> constants = {{"ROWS", unit.rows, "of the task"},
+                                     {"JOINT_LAW", 0, ""},
+                                     {"TASK_LAW", 1, ""},
+                                     {"COMPLIANCE_LAW", 2, ""},
+                                     {"DISCONNECT", 1, "a command of loops, which stops"}};
+  if (unit.behaves()) {
+    const auto behaviours = static_cast<int>(unit.settings.behaviours.size());
+    const auto shares = static_cast<int>(unit.count_shares());
+    constants.push_back({"BEHAVIOURS", behaviours, ""});
+    constants.push_back({"SHARE_COUNT", shares, "points whose tasks come and go"});
+  }
   return print_constants(own, constants);
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 #include <vector>
@@ -123,6 +124,41 @@ void add_force_holes(const EmissionContext& context, const ControllerUnit& unit,
                      {"direction[3]", ""}});
 }
 
+/// Behaviours by name, each with the tasks that it does, and members of controllers that have them.
+void add_behaviour_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
+  for (const char* hole :
+       {"behaviours", "behaviour_config", "behaviour_output", "behaviour_state"}) {
+    holes[hole] = "";
+  }
+  if (!unit.behaves()) return;
+  const std::string name = context.name, capitals = name_in_capitals(context);
+  const auto& all = unit.settings.behaviours;
+  std::string list;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string tasks = fmt::format("{}", fmt::join(all[k].tasks, ", "));
+    list +=
+        print_commented(fmt::format("  {}_BEHAVIOUR_{} = {}{}", capitals, in_capitals(all[k].name),
+                                    k, k + 1 == all.size() ? "" : ","),
+                        tasks.empty() ? "none of them" : printable(tasks));
+  }
+  holes["behaviours"] = fmt::format(
+      "/* Behaviours, each with the tasks that it does of those that come and go. The first is "
+      "what\n"
+      "   the controller begins with. */\n"
+      "typedef enum {0}_behaviour {{\n{1}}} {0}_behaviour;\n\n",
+      name, list);
+  const std::string shares = fmt::format("[{}]", unit.count_shares());
+  holes["behaviour_config"] =
+      declare(name, {{fmt::format("behaviour_share[{} * {}]", all.size(), unit.count_shares()),
+                      "0 to 1, by behaviour: the share to which a task is done"}});
+  holes["behaviour_output"] = fmt::format("int32_t behaviour; /* of {}_behaviour */\n", name);
+  holes["behaviour_state"] =
+      "int32_t behaviour;\nint32_t share_ticks;\n" +
+      declare(name, {{"share_rate", "1/s"},
+                     {"share_from" + shares, "when the behaviour began"},
+                     {"active_tasks" + shares, "share to which each task is done"}});
+}
+
 /// Members of controllers that tell the currents of motors.
 void add_current_holes(const EmissionContext& context, const ControllerUnit& unit, Holes& holes) {
   holes["current_config"] = holes["current_output"] = "";
@@ -168,6 +204,7 @@ std::string print_controller_header(const EmissionContext& context, const Contro
       {"model_state", print_led_inputs(context, unit)}};
   add_task_holes(context, unit, holes);
   add_force_holes(context, unit, holes);
+  add_behaviour_holes(context, unit, holes);
   add_current_holes(context, unit, holes);
   return fill_template(templates::kControllerHeader, holes);
 }

@@ -34,6 +34,10 @@ class Members {
 
   void add(const char* name, double value) { list_.push_back({name, {print(value)}}); }
   void add(const char* name, std::string value) { list_.push_back({name, {std::move(value)}}); }
+  void add(const char* name, const std::vector<double>& values) {
+    Member& member = list_.emplace_back(Member{name, {}, true});
+    for (const double value : values) member.values.push_back(print(value));
+  }
   void add_to_all(const char* name, std::size_t count, double value) {
     list_.push_back({name, std::vector(count, print(value)), true});
   }
@@ -60,6 +64,21 @@ void add_task(const SceneController& own, std::size_t joints, std::size_t rows, 
   members.add_to_all("posture_frequency", joints, own.posture_frequency);
   members.add("point_speed", own.point_speed);
   members.add("point_turn", own.point_turn);
+}
+
+/// Shares of the points whose tasks come and go, behaviour by behaviour.
+std::vector<double> list_shares(const ControllerUnit& unit) {
+  std::vector<double> shares;
+  for (const SceneBehaviour& behaviour : unit.settings.behaviours) {
+    std::vector<double> row(unit.count_shares());
+    for (const ControllerUnit::Point& point : unit.points) {
+      const auto& tasks = behaviour.tasks;
+      const bool done = std::find(tasks.begin(), tasks.end(), point.name) != tasks.end();
+      if (point.share >= 0 && done) row[static_cast<std::size_t>(point.share)] = 1;
+    }
+    shares.insert(shares.end(), row.begin(), row.end());
+  }
+  return shares;
 }
 
 void add_force(const SceneController& own, std::size_t rows, Members& members) {
@@ -95,6 +114,7 @@ std::vector<Member> list_defaults(const EmissionContext& context, const Controll
   members.add_to_all("joint_viscosity", joints, 0);
   members.add_to_all("joint_damping_ratio", joints, 0);
   if (unit.task_torque) add_task(own, joints, rows, members);
+  if (unit.behaves()) members.add("behaviour_share", list_shares(unit));
   if (own.force) add_force(own, rows, members);
   members.add("brake_damping", own.brake_damping);
   members.add("hold_frequency", own.hold_frequency);
@@ -138,14 +158,17 @@ std::string list_flags(const std::vector<bool>& flags) {
 void add_controller_numbers(const EmissionContext& context, const ControllerUnit& unit,
                             Holes& holes) {
   std::vector<bool> turns, controls, own_axes;
+  std::vector<int> shares;
   for (const ControllerUnit::Joint& joint : unit.joints) turns.push_back(joint.turns());
   for (const ControllerUnit::Point& point : unit.points) {
     controls.insert(controls.end(), point.rows.begin(), point.rows.end());
     own_axes.push_back(point.own_axes);
+    shares.push_back(point.share);
   }
   holes["turns"] = list_flags(turns);
   holes["controls"] = list_flags(controls);
   holes["own_axes"] = list_flags(own_axes);
+  holes["shares"] = fmt::format("{}", fmt::join(shares, ", "));
   add_defaults(context, unit, holes);
 }
 

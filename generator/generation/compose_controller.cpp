@@ -146,8 +146,11 @@ ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
   if (scene.optimize == Optimize::size) loop_over_links(robot, scene, unit);
   if (!scene.controller->task) return unit;
   if (scene.controller->force) unit.push_torque = trace_push(robot, scene);
+  const std::vector<std::string>& shared = scene.inputs.active_tasks;
   for (const ScenePoint& point : scene.operational_points) {
-    unit.points.push_back({point.name, point.rows, point.axes == Axes::local});
+    const auto share = std::find(shared.begin(), shared.end(), point.name);
+    unit.points.push_back({point.name, point.rows, point.axes == Axes::local,
+                           share == shared.end() ? -1 : static_cast<int>(share - shared.begin())});
     unit.rows += static_cast<int>(std::count(point.rows.begin(), point.rows.end(), true));
   }
   return unit;

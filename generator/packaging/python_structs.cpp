@@ -28,6 +28,7 @@ struct HeaderType {
 };
 
 constexpr HeaderType kOfController[] = {
+    {"behaviour", "IntEnum", "Sets of tasks."},
     {"mode", "IntEnum", "Modes."},
     {"fault", "IntFlag", "Bits of faults."},
     {"kind", "IntEnum", "Kinds of commands."},
@@ -50,8 +51,9 @@ struct CodedMember {
   const char* member;
   const char* enumeration;
 };
-constexpr CodedMember kCoded[] = {{"mode", "Mode"},       {"faults", "Fault"}, {"reason", "Fault"},
-                                  {"refused", "Refusal"}, {"unmet", "Unmet"},  {"kind", "Kind"}};
+constexpr CodedMember kCoded[] = {
+    {"behaviour", "Behaviour"}, {"mode", "Mode"},   {"faults", "Fault"}, {"reason", "Fault"},
+    {"refused", "Refusal"},     {"unmet", "Unmet"}, {"kind", "Kind"}};
 
 /// The text of a file; empty where the scene does not ask for it.
 std::string find_text(const Generation& generation, const std::string& name) {
@@ -69,13 +71,16 @@ std::string print_format(const Scene& scene, const std::string& type) {
   return scene.real == Real::float32 ? "f4" : "f8";
 }
 
-/// A class of enumerators, whose names have neither the robot nor the enumeration in front.
+/// A class of enumerators, whose names have neither the robot nor the enumeration in front; empty
+/// where the header has none.
 std::string print_enumeration(const Scene& scene, const HeaderType& type,
                               const std::string& header) {
   std::string text = fmt::format("class {}(enum.{}):\n    \"\"\"{}\"\"\"\n\n",
                                  in_pascal_case(type.type), type.base, type.meaning);
   const std::string own = in_capitals(type.type) + "_";
-  for (const auto& [full, value] : list_enumerators(header, scene.name + "_" + type.type)) {
+  const auto enumerators = list_enumerators(header, scene.name + "_" + type.type);
+  if (enumerators.empty()) return {};
+  for (const auto& [full, value] : enumerators) {
     const std::string name = full.substr(scene.name.size() + 1);
     text +=
         fmt::format("    {} = {}\n", name.starts_with(own) ? name.substr(own.size()) : name, value);
@@ -148,6 +153,7 @@ void add_controller(const Scene& scene, const Generation& generation, PackageFac
   if (header.empty()) return;
   add_types(scene, kOfController, header, facts);
   facts["classes"] += fill_holes(templates::kPythonController, facts);
+  if (generation.controller->behaves()) export_names({"Behaviour"}, made);
   export_names({"Controller", "Fault", "Kind", "Mode", "Refusal", "Unmet"}, made);
   made.inputs +=
       fmt::format(" + REALS({0}_config) + REALS({0}_state) + REALS({0}_input)", scene.name);

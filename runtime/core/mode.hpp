@@ -72,12 +72,13 @@ enum class MessageKind : uint8_t {
   comply,          ///< yield like springs and dampers about the present pose
   lead_posture,    ///< while it complies: values, duration: posture that springs pull to by then
   lead_point,      ///< while it complies: index, values, duration as of `move_point`
+  behave,          ///< index: set of tasks; duration until all of it are done
 };
 
 /// Whether a number that came from outside is a kind. A message kind has eight bits: without this
 /// question, 256 would be taken for an emergency stop and 260 for a start.
 constexpr bool is_message_kind(int32_t kind) noexcept {
-  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::lead_point));
+  return (kind >= 0) && (kind <= static_cast<int32_t>(MessageKind::behave));
 }
 
 /// Urgency of a message. Of two waiting messages the more urgent one is applied first. The order is

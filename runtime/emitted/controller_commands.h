@@ -70,13 +70,12 @@ TL_INLINE void tl_enter_task(
     tl_copy_numbers(&state->joint_motion[0], TL_JOINTS, &state->posture[0]);
     for (int32_t point = 0; point < TL_POINTS; ++point) {
       if (point != led) {
-        TlPointMotion now;
-        tl_measured_motion(at, point, &now);
-        tl_clear_numbers(6, &now.velocity[0]);
-        (void)tl_move_point(config, &now, &now.position[0], &now.rotation[0],
-            config->period, point, state);
+        tl_hold_point(config, at, point, state);
       }
     }
+#if TL_BEHAVES
+    tl_take_shares(config, state);
+#endif
   }
 }
 
@@ -112,9 +111,14 @@ TL_INLINE int32_t tl_begin_pose(const TlConfig* config, const TlInput* input,
 }
 
 /// What of a command for a point makes no sense.
-TL_INLINE int32_t tl_check_point(const TlConfig* config, const TlCommand* command) {
+TL_INLINE int32_t tl_check_point(
+    const TlConfig* config, const TlCommand* command, const TlState* state) {
   bool sound = true;
   bool weak = true;
+#if TL_BEHAVES
+#else
+  (void)state;
+#endif
   if (command->kind != TL_PRESS) {
     sound = tl_are_numbers(&command->position[0], 3) &&
         tl_is_rotation(&command->rotation[0]);
@@ -129,6 +133,11 @@ TL_INLINE int32_t tl_check_point(const TlConfig* config, const TlCommand* comman
   int32_t refusal = TL_ACCEPTED;
   if ((command->point < 0) || (command->point >= TL_POINTS)) {
     refusal = TL_REFUSED_POINT;
+#if TL_BEHAVES
+  } else if ((command->kind != TL_LEAD_POINT) &&
+      (tl_wanted_share(config, state, command->point) < TL_ONE)) {
+    refusal = TL_REFUSED_BEHAVIOUR;
+#endif
   } else if (!tl_is_duration(command->duration, config->period)) {
     refusal = TL_REFUSED_DURATION;
   } else if (!weak) {
@@ -178,6 +187,38 @@ TL_INLINE void tl_begin_press(const TlConfig* config, const TlInput* input,
 }
 #endif
 
+#if TL_BEHAVES
+/// Another behaviour, to which the shares of the tasks move within the duration. A
+/// point whose task comes is held where it is; a point whose task goes presses no
+/// more.
+TL_INLINE int32_t tl_begin_behaviour(const TlConfig* config, const TlInput* input,
+    const TlMeasured* at, TlState* state, bool* switched) {
+  const TlCommand* const command = &input->command;
+  int32_t refusal = TL_ACCEPTED;
+  if ((command->point < 0) || (command->point >= TL_BEHAVIOURS)) {
+    refusal = TL_REFUSED_BEHAVIOUR;
+  } else if (!tl_is_duration(command->duration, config->period)) {
+    refusal = TL_REFUSED_DURATION;
+  } else {
+    *switched = state->law != TL_TASK_LAW;
+    state->behaviour = command->point;
+    state->share_rate = TL_ONE / command->duration;
+    state->share_ticks = 0;
+    tl_copy_numbers(&state->active_tasks[0], TL_SHARE_COUNT, &state->share_from[0]);
+    tl_enter_task(config, at, -1, state);
+#if TL_FORCE
+    if ((state->pressing != 0) &&
+        (tl_wanted_share(config, state, state->press_point) < TL_ONE)) {
+      tl_keep_pressed(config, at, state);
+      state->pressing = 0;
+      *switched = true;
+    }
+#endif
+  }
+  return refusal;
+}
+#endif
+
 /// Joints and points comply about where they are.
 TL_INLINE void tl_begin_compliance(const TlConfig* config, const TlInput* input,
     const TlMeasured* at, TlState* state) {
@@ -202,7 +243,7 @@ TL_INLINE int32_t tl_begin_leading(const TlConfig* config, const TlInput* input,
   } else {
 #if TL_FORCE
     const TlCommand* const command = &input->command;
-    refusal = tl_check_point(config, command);
+    refusal = tl_check_point(config, command, state);
     if (refusal == TL_ACCEPTED) {
       TlPointMotion now;
       tl_point_reference(config, state, command->point, &now);
@@ -237,7 +278,7 @@ TL_INLINE int32_t tl_begin_motion(const TlConfig* config, const TlInput* input,
   }
 #if TL_TASK
   if (kind == TL_MOVE_POINT) {
-    refusal = tl_check_point(config, &input->command);
+    refusal = tl_check_point(config, &input->command, state);
     if (refusal == TL_ACCEPTED) {
       refusal = tl_begin_pose(config, input, at, state, switched);
     }
@@ -245,11 +286,16 @@ TL_INLINE int32_t tl_begin_motion(const TlConfig* config, const TlInput* input,
 #endif
 #if TL_FORCE
   if (kind == TL_PRESS) {
-    refusal = tl_check_point(config, &input->command);
+    refusal = tl_check_point(config, &input->command, state);
     if (refusal == TL_ACCEPTED) {
       *switched = true;
       tl_begin_press(config, input, at, state);
     }
+  }
+#endif
+#if TL_BEHAVES
+  if (kind == TL_BEHAVE) {
+    refusal = tl_begin_behaviour(config, input, at, state, switched);
   }
 #endif
   return refusal;
@@ -303,6 +349,9 @@ TL_INLINE bool tl_is_kind(int32_t kind) {
 #endif
 #if TL_FORCE
   known = known || (kind == TL_PRESS) || (kind == TL_LEAD_POINT);
+#endif
+#if TL_BEHAVES
+  known = known || (kind == TL_BEHAVE);
 #endif
   return known;
 }

@@ -62,6 +62,21 @@ TL_INLINE int32_t tl_check_joints(
   return field;
 }
 
+#if TL_BEHAVES
+/// Shares of tasks in behaviours.
+TL_INLINE int32_t tl_check_behaviours(const TlConfig* config, int32_t* index) {
+  int32_t field = TL_CONFIG_SOUND;
+  for (int32_t i = 0;
+       (i < (TL_BEHAVIOURS * TL_SHARE_COUNT)) && (field == TL_CONFIG_SOUND); ++i) {
+    *index = i;
+    if (!tl_is_from(config->behaviour_share[i], TL_ZERO, TL_ONE)) {
+      field = TL_CONFIG_BEHAVIOUR_SHARE;
+    }
+  }
+  return field;
+}
+#endif
+
 #if TL_TASK
 /// Gains and limits of speed of tasks.
 TL_INLINE int32_t tl_check_task(
@@ -214,6 +229,11 @@ TL_INLINE int32_t tl_find_config_fault(const TlConfig* config, int32_t* index) {
 #if TL_TASK
   if (field == TL_CONFIG_SOUND) {
     field = tl_check_task(config, fastest, index);
+  }
+#endif
+#if TL_BEHAVES
+  if (field == TL_CONFIG_SOUND) {
+    field = tl_check_behaviours(config, index);
   }
 #endif
 #if TL_FORCE

@@ -52,7 +52,12 @@ TL_INLINE bool tl_points_follow(
   bool all = true;
   state->away = TL_ZERO;
   for (int32_t point = 0; point < TL_POINTS; ++point) {
+#if TL_BEHAVES
+    const bool counts = tl_is_done_whole(state, point);
+    const real away = counts ? tl_point_away(point, state, output) : TL_ZERO;
+#else
     const real away = tl_point_away(point, state, output);
+#endif
     const real time = tl_point_time(config, state, point);
     all = all && (away <= tl_admitted_error(config, time, state->point_rate[point]));
     state->away = tl_larger(away, state->away);

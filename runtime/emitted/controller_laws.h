@@ -170,6 +170,9 @@ TL_INLINE void tl_task_law(const TlConfig* config, const TlInput* input,
   real force = TL_ZERO;
 #endif
   int32_t row = 0;
+#if TL_BEHAVES
+  tl_lead_shares(config, at, state);
+#endif
   for (int32_t point = 0; point < TL_POINTS; ++point) {
     real xdd[6];
     tl_point_law(config, at, point, state, output, &xdd[0]);

@@ -63,8 +63,14 @@ TL_INLINE bool tl_is_stuck(const TlConfig* config, TlState* state) {
   bool ended = true;
   for (int32_t point = 0; point < TL_POINTS; ++point) {
     const real time = tl_point_time(config, state, point);
+#if TL_BEHAVES
+    const bool counts = tl_is_done_whole(state, point);
+    waits = waits && ((!counts) || tl_is_waiting(state->point_slow[point]));
+    ended = ended && ((!counts) || ((time * state->point_rate[point]) >= TL_ONE));
+#else
     waits = waits && tl_is_waiting(state->point_slow[point]);
     ended = ended && ((time * state->point_rate[point]) >= TL_ONE);
+#endif
   }
   state->stuck_ticks = tl_count_tick((waits && (!ended)) ? state->stuck_ticks : 0);
   return tl_has_waited(config, state->stuck_ticks);

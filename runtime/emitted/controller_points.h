@@ -1,6 +1,7 @@
 #pragma once
 // References of points: quintic splines to poses, straight and about one axis from
-// rest.
+// rest. Behaviours: from one set of points whose tasks are done to another the share
+// of each task moves by a quintic, and the torque with it.
 
 #include "controller_references.h"
 #include "turn_motion.h"
@@ -148,4 +149,64 @@ TL_INLINE void tl_measured_motion(
   tl_copy_numbers(&at->velocity[6 * point], 6, &motion->velocity[0]);
   tl_clear_numbers(6, &motion->acceleration[0]);
 }
+
+/// Begins to hold a point where it is.
+TL_INLINE void tl_hold_point(
+    const TlConfig* config, const TlMeasured* at, int32_t point, TlState* state) {
+  TlPointMotion now;
+  tl_measured_motion(at, point, &now);
+  tl_clear_numbers(6, &now.velocity[0]);
+  (void)tl_move_point(
+      config, &now, &now.position[0], &now.rotation[0], config->period, point, state);
+}
+
+#if TL_BEHAVES
+/// Share to which the present behaviour does the task of a point, in the end.
+TL_INLINE real tl_wanted_share(
+    const TlConfig* config, const TlState* state, int32_t point) {
+  const int32_t share = TL_SHARES[point];
+  return (share < 0)
+      ? TL_ONE
+      : config->behaviour_share[(TL_SHARE_COUNT * state->behaviour) + share];
+}
+
+/// Whether the task of a point is done whole at present, so that its error counts.
+TL_INLINE bool tl_is_done_whole(const TlState* state, int32_t point) {
+  const int32_t share = TL_SHARES[point];
+  return (share < 0) || (state->active_tasks[share] >= TL_ONE);
+}
+
+/// Gives the present behaviour its shares at once: where the law of tasks begins.
+TL_INLINE void tl_take_shares(const TlConfig* config, TlState* state) {
+  for (int32_t point = 0; point < TL_POINTS; ++point) {
+    if (TL_SHARES[point] >= 0) {
+      const real share = tl_wanted_share(config, state, point);
+      state->share_from[TL_SHARES[point]] = share;
+      state->active_tasks[TL_SHARES[point]] = share;
+    }
+  }
+}
+
+/// Moves the shares on by one step. The reference of a point whose task is not done
+/// at all is where the point is, so that it is held there when a behaviour takes it
+/// up.
+TL_INLINE void tl_lead_shares(
+    const TlConfig* config, const TlMeasured* at, TlState* state) {
+  const real left = tl_share_left(
+      tl_seconds(state->share_ticks, config->period), state->share_rate);
+  const real before = tl_fade_out(left);
+  for (int32_t point = 0; point < TL_POINTS; ++point) {
+    const int32_t share = TL_SHARES[point];
+    if (share >= 0) {
+      const real wanted = tl_wanted_share(config, state, point);
+      state->active_tasks[share] =
+          wanted + (before * (state->share_from[share] - wanted));
+      if (!(state->active_tasks[share] > TL_ZERO)) {
+        tl_hold_point(config, at, point, state);
+      }
+    }
+  }
+  state->share_ticks = tl_count_tick(state->share_ticks);
+}
+#endif
 #endif

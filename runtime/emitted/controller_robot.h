@@ -15,6 +15,9 @@
 // - TL_TURNS: of each joint, whether it turns without end; TL_CONTROLS, TL_OWN_AXES:
 // of
 //   each point, which of x y z rx ry rz are rows of the task, and in whose axes
+// - TL_BEHAVES: 1 with behaviours, of which there are TL_BEHAVIOURS; TL_SHARES: of
+// each
+//   point its place among the TL_SHARE_COUNT whose tasks come and go, or -1
 // - TL_DEFAULTS: the configuration that stands in for one that is not sound
 // - tl_inputs_are_numbers, tl_adopt, tl_measure, tl_joint_torque, tl_task_torque,
 //   tl_push_torque: the robot's own functions

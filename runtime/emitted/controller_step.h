@@ -230,6 +230,9 @@ TL_INLINE void tl_controller_step(
   }
   output->unmet = state->unmet;
 #endif
+#if TL_BEHAVES
+  output->behaviour = state->behaviour;
+#endif
   tl_find_faults(config, sound, seen, input, &at, state);
   tl_step_torque(config, input, &at, known, how, state, output);
 #if TL_CURRENT

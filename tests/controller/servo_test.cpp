@@ -37,7 +37,8 @@ static_assert(is(MessageKind::emergency_stop, PUMA_ARM_EMERGENCY_STOP) &&
               is(MessageKind::instruction, PUMA_ARM_KEEP_ALIVE) &&
               is(MessageKind::press, PUMA_ARM_PRESS) && is(MessageKind::comply, PUMA_ARM_COMPLY) &&
               is(MessageKind::lead_posture, PUMA_ARM_LEAD_JOINTS) &&
-              is(MessageKind::lead_point, PUMA_ARM_LEAD_POINT));
+              is(MessageKind::lead_point, PUMA_ARM_LEAD_POINT) &&
+              is(MessageKind::behave, PUMA_ARM_BEHAVE));
 
 TEST(EmittedController, RunsInTheServoLoop) {
   StateOf<Puma> initial;

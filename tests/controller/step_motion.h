@@ -1,5 +1,5 @@
-/* A PUMA's controller that is led through every command, mode and law, by measurements that are exact
-   in every build: no library computes them. */
+/* A PUMA's controller that is led through every command, mode and law, by measurements that are
+   exact in every build: no library computes them. */
 #include "puma_arm_controller.h"
 
 enum { n = PUMA_ARM_JOINTS };
@@ -38,6 +38,14 @@ static void command(int step) {
       input.command.direction[2] = -1;
       input.command.force = 20;
       send(PUMA_ARM_PRESS, 0.2);
+      break;
+    case 1000:
+      input.command.point = 1; /* leave the task, where there are behaviours */
+      send(PUMA_ARM_BEHAVE, 0.03);
+      break;
+    case 1050:
+      input.command.point = 0; /* and do it again */
+      send(PUMA_ARM_BEHAVE, 0.03);
       break;
     case 1100:
       for (i = 0; i < n; ++i) config.joint_stiffness[i] = 30;
@@ -83,8 +91,8 @@ static void measure(int step) {
   if (step > 1800 && step < 1860) input.q[2] = __builtin_nan("");
 }
 
-/* The arm swings whatever it is told, which shall be no fault; within the torques, for at a limit it
-   hangs on a rounding whether an integral stops. */
+/* The arm swings whatever it is told, which shall be no fault; within the torques, for at a limit
+   it hangs on a rounding whether an integral stops. */
 static void begin(void) {
   puma_arm_default_config(&config);
   config.following = 1e6;

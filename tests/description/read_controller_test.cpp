@@ -2,6 +2,8 @@
 // none and are not reported with their place and a remedy.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "description/read_keys.hpp"
 #include "description/read_scene.hpp"
 #include "scene_robot.hpp"
@@ -92,6 +94,45 @@ TEST(ReadController, ReadsMotors) {
   expect_refused("motors: {" + shoulder + ", elbow: {ratio: 2}}", "\"torque_constant\" is missing");
   expect_refused("motors: {" + shoulder + ", elbow: {torque_constant: -1}}", "not positive");
   expect_refused("motors: {" + shoulder + ", elbow: {ratio: 0, torque_constant: 1}}", "no ratio");
+}
+
+// Would catch: sets of tasks that the step would not find, names that C does not take, and tasks
+// that nobody does.
+TEST(ReadController, ReadsBehaviours) {
+  const auto read = [](const std::string& active, const std::string& keys,
+                       Diagnostics& diagnostics) {
+    return parse_scene("operational_points: [{name: tip, link: tool}, {name: mid, link: upper}]\n" +
+                           active + "controller: {laws: task_impedance, limits: {" + kShoulder +
+                           "}, " + keys + "}\n",
+                       "s.yaml", make_robot(), diagnostics);
+  };
+  const std::string both = "inputs: {active: [mid, tip]}\n", mid = "inputs: {active: [mid]}\n";
+  Diagnostics diagnostics;
+  const auto scene =
+      read(both, "behaviours: {reach: [tip], free: [], all: [tip, mid]}", diagnostics);
+  ASSERT_TRUE(scene) << to_string(diagnostics);
+  const auto& behaviours = scene->controller->behaviours;
+  ASSERT_EQ(behaviours.size(), 3U);
+  EXPECT_EQ(behaviours[0].name, "reach");
+  EXPECT_TRUE(behaviours[1].tasks.empty());
+  EXPECT_EQ(behaviours[2].tasks, (std::vector<std::string>{"tip", "mid"}));
+  const std::array<std::string, 3> refused[] = {
+      {both, "fade: 0.2",
+       "the task of \"mid\" comes and goes, but the controller has no behaviour"},
+      {mid, "behaviours: {reach: [tip]}", "the task of \"tip\" does not come and go"},
+      {mid, "behaviours: {reach: [mit]}", "there is no operational point \"mit\""},
+      {mid, "behaviours: {reach: [mid, mid]}", "listed twice"},
+      {mid, "behaviours: {reach out: [mid]}", "cannot be a name"},
+      {mid, "behaviours: {reach: [mid], Reach: []}", "in capitals it is the same name"},
+      {mid, "behaviours: {reach: mid}", "list"}};
+  for (const auto& [active, keys, fault] : refused) {
+    Diagnostics told;
+    EXPECT_FALSE(read(active, keys, told)) << keys;
+    EXPECT_NE(to_string(told).find(fault), std::string::npos) << to_string(told);
+  }
+  Diagnostics told;
+  EXPECT_FALSE(read_with("limits: {" + kShoulder + "}, behaviours: {none: []}", told));
+  EXPECT_NE(to_string(told).find("no law of tasks"), std::string::npos) << to_string(told);
 }
 
 // Would catch: scenes whose defaults the step itself calls unsound, so that the robot never runs;

@@ -116,7 +116,7 @@ class Run {
     const unsigned kind = bytes.byte();
     command.kind = kind < 240 ? static_cast<std::int32_t>(kind % 14) : INT32_MAX - 255 + kind;
     ++command.sequence;
-    command.point = kind % 16 == 15 ? -1 : 0;
+    command.point = kind % 16 == 15 ? -1 : static_cast<std::int32_t>(kind / 16 % 3);
     command.duration = static_cast<Number>(bytes.number(2));
     for (int i = 0; i < n; ++i) {
       command.goal[i] = static_cast<Number>(state_.sound_q[i] + bytes.number(1));
@@ -193,7 +193,7 @@ class Run {
     demand(measured() || (output_.faults & kMeasurement) != 0, "what is not finite is a fault");
     demand(sound || (output_.faults & kConfig) != 0, "a config that is not sound is a fault");
     demand((output_.faults & kUntrusted) == 0 || output_.brakes != 0, "brakes are called for");
-    demand(output_.refused >= 0 && output_.refused <= 8, "a refusal has a reason");
+    demand(output_.refused >= 0 && output_.refused <= 9, "a refusal has a reason");
     demand(output_.factor >= 0 && output_.factor <= 1, "the factor is a share");
   }
 

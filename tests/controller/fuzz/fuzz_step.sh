@@ -21,7 +21,9 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned 
 fi
 tests=$source_dir/tests/controller
 rm -rf puma_arm gantry
-"$treeline" generate "$source_dir/robots/puma560/puma560.urdf" "$tests/puma.yaml" --output puma_arm
+sed 's/^controller:/&\n  behaviours: {do: [tool], leave: []}/' "$tests/puma.yaml" > puma.yaml
+echo 'inputs: {active: [tool]}' >> puma.yaml
+"$treeline" generate "$source_dir/robots/puma560/puma560.urdf" puma.yaml --output puma_arm
 "$treeline" generate "$tests/safe_state/turning_gantry.urdf" "$tests/safe_state/gantry.yaml" \
   --name gantry --output gantry
 "$clang" -std=c++17 -O1 -g1 -fno-omit-frame-pointer -ffp-contract=off \
