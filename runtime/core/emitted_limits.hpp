@@ -49,6 +49,9 @@ struct LimitNumbers {
   static constexpr bool kSingle = Format<Real>::kFractionBits < 24;
   /// A row holds within so many units of rounding of its terms.
   static constexpr Real kRowTolerance = Real(512) * Format<Real>::kEpsilon;
+  /// And so many once it has left and come back; in float, whose terms cancel more, no more.
+  static constexpr Real kLoosestTolerance =
+      Real(kSingle ? 1 << 9 : 1 << 22) * Format<Real>::kEpsilon;
   /// A row depends on others where so little of its normal is left.
   static constexpr Real kDependent = Real(256) * Format<Real>::kEpsilon;
   /// A row that depends on others contradicts them where it misses by so much of its terms.
@@ -126,6 +129,7 @@ struct EmittedLimits {
                         TL_SET_ASIDE = static_cast<int32_t>(RowSide::set_aside);
   static constexpr real TL_DEPENDENT = Numbers::kDependent,
                         TL_ROW_TOLERANCE = Numbers::kRowTolerance,
+                        TL_LOOSEST_TOLERANCE = Numbers::kLoosestTolerance,
                         TL_CONTRADICTION = Numbers::kContradiction,
                         TL_RANK_TOLERANCE = Numbers::kRankTolerance,
                         TL_HIERARCHY = Numbers::kHierarchy, TL_NO_LIMIT = Numbers::kNoLimit,

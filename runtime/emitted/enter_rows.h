@@ -15,6 +15,7 @@ TL_INLINE void tl_start_at_center(
   }
   for (int32_t row = 0; row < TL_ALL_ROWS; ++row) {
     set->ignored[row] = false;
+    set->tolerance[row] = TL_ROW_TOLERANCE;
   }
   for (int32_t k = 0; k < TL_UNKNOWNS; ++k) {
     for (int32_t i = 0; i < TL_UNKNOWNS; ++i) {
@@ -82,7 +83,7 @@ TL_INLINE void tl_consider(const TlActiveSet* set, const TlRowsOfLimits* rows,
     const real sizes = is_bound ? tl_size_of(set->x[row])
                                 : tl_dot_of_sizes(tl_row_of(rows, row), &set->x[0]);
     const real terms = sizes + tl_size_of(bound);
-    if (amount > (TL_ROW_TOLERANCE * terms)) {
+    if (amount > (set->tolerance[row] * terms)) {
       *worst_square = square;
       worst->row = row;
       worst->side = is_below ? TL_LOWER : TL_UPPER;

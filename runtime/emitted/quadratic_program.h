@@ -38,6 +38,7 @@ struct TlActiveSet {
   int32_t left;  // iterations
   int32_t count;  // of active rows
   bool ignored[TL_ALL_ROWS];  // depends on active rows, holds but for rounding
+  real tolerance[TL_ALL_ROWS];  // share of its terms by which a row may be missed
   real inverse_squares[TL_LIMIT_ROWS];
   real center[TL_UNKNOWNS];
   real Jt[TL_UNKNOWNS * TL_UNKNOWNS];  // the columns of J as rows
@@ -212,9 +213,15 @@ TL_INLINE void tl_rotate(TlActiveSet* set, int32_t k) {
   tl_turn_pair(c, s, &set->d[k], &set->d[k + 1]);
 }
 
-/// Takes an active row out; rotates J, R and d.
+/// Takes an active row out; rotates J, R and d. It has to be missed by more to come
+/// back: where more rows meet than there are unknowns, as at the tip of a cone,
+/// roundings would exchange them for ever.
 TL_INLINE void tl_drop_row(TlActiveSet* set, int32_t index) {
-  set->sides[set->active[index]] = TL_FREE;
+  const int32_t dropped = set->active[index];
+  const real looser = TL_TEN * set->tolerance[dropped];
+  set->sides[dropped] = TL_FREE;
+  set->tolerance[dropped] =
+      (looser < TL_LOOSEST_TOLERANCE) ? looser : TL_LOOSEST_TOLERANCE;
   for (int32_t row = 0; row < TL_ALL_ROWS; ++row) {
     set->ignored[row] = false;
   }
