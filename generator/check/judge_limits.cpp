@@ -18,9 +18,9 @@ double hierarchy_of(Real real) {
   return real == Real::float32 ? 30 : 1000;
 }
 
-/// Seventh root of 256 units of rounding: what is left of cones of supports that are held less.
+/// Seventh root of so many units of rounding: cones of supports that are held less are left out.
 double least_share_of(Real real) {
-  return std::pow(256 * unit_of(real), 1.0 / 7);
+  return std::pow((real == Real::float32 ? 1 << 8 : 1 << 16) * unit_of(real), 1.0 / 7);
 }
 
 /// Largest error as a multiple of the effect of rounding the matrices. The unknowns of all levels

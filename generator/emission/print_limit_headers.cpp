@@ -98,6 +98,8 @@ void add_numbers(const EmissionContext& context, Adaptation& own) {
   };
   add("TL_DEPENDENT", Numbers::kDependent);
   add("TL_ROW_TOLERANCE", Numbers::kRowTolerance);
+  add("TL_CENTER_SHARE", Numbers::kCenterShare);
+  add("TL_LEAST_CONE", Numbers::kLeastCone);
   add("TL_LOOSEST_TOLERANCE", Numbers::kLoosestTolerance);
   add("TL_CONTRADICTION", Numbers::kContradiction);
   add("TL_RANK_TOLERANCE", Numbers::kRankTolerance);

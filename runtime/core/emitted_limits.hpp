@@ -49,11 +49,16 @@ struct LimitNumbers {
   static constexpr bool kSingle = Format<Real>::kFractionBits < 24;
   /// A row holds within so many units of rounding of its terms.
   static constexpr Real kRowTolerance = Real(512) * Format<Real>::kEpsilon;
+  /// And so much of the terms that its value had at the centre, from which steps come: 4 units.
+  static constexpr Real kCenterShare = Real(1) / Real(128);
   /// And so many once it has left and come back; in float, whose terms cancel more, no more.
   static constexpr Real kLoosestTolerance =
       Real(kSingle ? 1 << 9 : 1 << 22) * Format<Real>::kEpsilon;
   /// A row depends on others where so little of its normal is left.
   static constexpr Real kDependent = Real(256) * Format<Real>::kEpsilon;
+  /// A cone of which less is left, by its share to the seventh, is left out. It all but depends on
+  /// the bound of the slack; in float the cones of larger shares count in spite of that.
+  static constexpr Real kLeastCone = Real(kSingle ? 1 : 256) * kDependent;
   /// A row that depends on others contradicts them where it misses by so much of its terms.
   static constexpr Real kContradiction = Real(1 << 15) * Format<Real>::kEpsilon;
   /// A row of constraints that has less than this share left outside the rows before it depends on
@@ -130,6 +135,8 @@ struct EmittedLimits {
   static constexpr real TL_DEPENDENT = Numbers::kDependent,
                         TL_ROW_TOLERANCE = Numbers::kRowTolerance,
                         TL_LOOSEST_TOLERANCE = Numbers::kLoosestTolerance,
+                        TL_LEAST_CONE = Numbers::kLeastCone,
+                        TL_CENTER_SHARE = Numbers::kCenterShare,
                         TL_CONTRADICTION = Numbers::kContradiction,
                         TL_RANK_TOLERANCE = Numbers::kRankTolerance,
                         TL_HIERARCHY = Numbers::kHierarchy, TL_NO_LIMIT = Numbers::kNoLimit,

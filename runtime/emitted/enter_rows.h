@@ -65,6 +65,23 @@ TL_INLINE void tl_add_start(TlActiveSet* set, const TlRowsOfLimits* rows, bool w
   }
 }
 
+/// The sizes of what adds up to a row's value, and a share of the centre's: x comes
+/// from there by steps that cancel it, and is rounded by it.
+TL_INLINE real tl_terms_of(
+    const TlActiveSet* set, const TlRowsOfLimits* rows, int32_t row) {
+  real terms = TL_ZERO;
+  real center = TL_ZERO;
+  if (row < TL_UNKNOWNS) {
+    terms = tl_size_of(set->x[row]);
+    center = tl_size_of(set->center[row]);
+  } else {
+    const real* const a = tl_row_of(rows, row);
+    terms = tl_dot_of_sizes(a, &set->x[0]);
+    center = tl_dot_of_sizes(a, &set->center[0]);
+  }
+  return terms + (TL_CENTER_SHARE * center);
+}
+
 /// Keeps the row if it is missed by more than those before, measured along its
 /// normal.
 TL_INLINE void tl_consider(const TlActiveSet* set, const TlRowsOfLimits* rows,
@@ -80,9 +97,7 @@ TL_INLINE void tl_consider(const TlActiveSet* set, const TlRowsOfLimits* rows,
       amount * amount * (is_bound ? TL_ONE : set->inverse_squares[row - TL_UNKNOWNS]);
   if ((amount > TL_ZERO) && (!set->ignored[row]) && (square > *worst_square)) {
     const real bound = is_below ? tl_lower_of(rows, row) : tl_upper_of(rows, row);
-    const real sizes = is_bound ? tl_size_of(set->x[row])
-                                : tl_dot_of_sizes(tl_row_of(rows, row), &set->x[0]);
-    const real terms = sizes + tl_size_of(bound);
+    const real terms = tl_terms_of(set, rows, row) + tl_size_of(bound);
     if (amount > (set->tolerance[row] * terms)) {
       *worst_square = square;
       worst->row = row;

@@ -75,7 +75,7 @@ TL_INLINE void tl_share_cone(const TlSupportLayout* layout, TlLimitProgram* prog
   for (int32_t n = 0; n < TL_FREEDOMS; ++n) {
     program->rows.A[(row * TL_UNKNOWNS) + n] *= scale;
   }
-  const bool counts = scale > TL_DEPENDENT;
+  const bool counts = scale > TL_LEAST_CONE;
   program->rows.upper[row] = counts ? (scale * room) : TL_NO_LIMIT;
 }
 

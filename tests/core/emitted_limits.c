@@ -11,6 +11,8 @@
 #define TL_ONE 1.0
 #define TL_TEN 10.0
 #define TL_DEPENDENT 0x1p-44
+#define TL_CENTER_SHARE 0x1p-7
+#define TL_LEAST_CONE 0x1p-36
 #define TL_ROW_TOLERANCE 0x1p-43
 #define TL_LOOSEST_TOLERANCE 0x1p-30
 #define TL_CONTRADICTION 0x1p-37

@@ -206,7 +206,7 @@ Vector solve_otherwise(const Support<Sizes>& support, double slack) {
       const auto& cone = support.limits.cones[row - (V - P)];
       const double share = support.layout.shares[cone.first];
       rows.upper[row] = cone.bound * share + slack;
-      if (std::pow(share, 7) <= LimitNumbers<double>::kDependent) {
+      if (std::pow(share, 7) <= LimitNumbers<double>::kLeastCone) {
         rows.upper[row] = LimitNumbers<double>::kNoLimit;
       }
       for (int k = 0; k < cone.count; ++k) {

@@ -1,6 +1,7 @@
 // Limits of a quadruped that is asked for more than its motors have, so that feet lose their load.
 // Would catch: rows that meet at the tip of a cone, five in three unknowns, and that roundings
-// exchange until the iterations are used up; then forces were off by up to 7e5 N.
+// exchange until the iterations are used up; then forces were off by up to 7e5 N. So it was where a
+// foot was about to be let go.
 #include "four_feet.hpp"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,7 @@ constexpr int kCoordinates = 19, kRates = 18, kForces = 12, kRows = 6;
 
 struct Asked {
   double q[kCoordinates], qd[kRates] = {}, qdd_0[kRates], xdd_cmd[kRows], f_wanted[kForces] = {};
+  double active[4] = {1, 1, 1, 1};
 };
 
 /// The body tilted by up to 1.2 rad, legs within 0.6 rad of their zeros, accelerations of up to
@@ -37,6 +39,9 @@ Asked draw(std::mt19937& engine) {
   for (double& qdd : asked.qdd_0) qdd = 5 * normal(engine);
   const double size = hardness[engine() % 3];
   for (double& xdd : asked.xdd_cmd) xdd = size * normal(engine);
+  if (engine() % 2 == 0) {
+    asked.active[engine() % 4] = std::uniform_real_distribution<double>(0.01, 0.05)(engine);
+  }
   return asked;
 }
 
@@ -53,17 +58,18 @@ TEST_P(FourFeet, AreHeldByForcesWithinTheirCones) {
     double tau[kRates], f[kForces];
     four_feet::LimitedTorque limited{};
     four_feet::limited_control_torque(asked.q, asked.qd, asked.qdd_0, asked.xdd_cmd, asked.f_wanted,
-                                      tau, f, limited, limits);
+                                      asked.active, tau, f, limited, limits);
     ASSERT_EQ(limited.status, four_feet::kSolved) << i;
     double largest = 1, beyond = 0;  // N
     for (const double force : f) largest = std::max(largest, std::fabs(force));
     for (const auto& cone : limits.cones) {
+      if (asked.active[cone.first / 3] < 1) continue;  // whose cone is widened as it goes
       double value = -cone.bound;
       for (int k = 0; k < cone.count; ++k) value += cone.coefficients[k] * f[cone.first + k];
       beyond = std::max(beyond, value);
     }
-    // Rounded with the condition of a program whose costs differ by 1e6.
-    EXPECT_LE(beyond, limited.slack + 1e-9 * largest) << i;
+    // A row that has left may be missed by 1e-9 of its terms, which are some forces.
+    EXPECT_LE(beyond, limited.slack + 1e-8 * largest) << i;
     for (int foot = 0; foot < 4; ++foot) unloaded += std::fabs(f[3 * foot + 2]) < 1e-9 ? 1 : 0;
   }
   EXPECT_GT(unloaded, 1000);
