@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "ac95340875a2d8bcbc099613b5e63c39d59ed5a7675e8b919c1142dbc5471223";
+    "148d951b221e0c3e43957cb53a78d39e8f81fb526a1a3d7c1a6e6534d05eeb01";

@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "0fb2e2b6d2ba9b30be538375dc3e36e3189fc3c829e885319b1e397bd4d07edf";
+    "6fa7655c57515acfb6702163fd96c16026c53e3dd872fe05fb395cd57ad888b8";

@@ -39,7 +39,7 @@ struct Format<double> {
   /// whose low bits can be read off, and subtracting it gives the integer back.
   static constexpr double kRoundingShift = 6755399441055744.0;
   static constexpr double kTwoOverPi = 0.6366197723675814;
-  static constexpr Bits kLargestExponent = 32;  // angles beyond 2^32 rad count as 0
+  static constexpr Bits kLargestExponent = 32;  // angles beyond 2^32 rad count as quarter turns
 };
 template <>
 struct Format<float> {

@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "62175a5fd325d36e9820f4470baa038f3f43dca2d04c5b4776db1de7ef5fde44";
+    "bbc63db6bf6285d7b820d8b20ed20bc2c67e81eb8d815f40c5631d5c50ce0d47";

@@ -6,4 +6,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.9.0 ur10e sha256 "
-    "0dd407239269fc816082329d8ce43f0477831018a36fd34d5fee7b040458a9ca";
+    "134b82ce17703fbcf5cd7c8d4f453a79b39f0920497d4b4324cf50a41f42aed9";

@@ -28,8 +28,9 @@
 //   ur10e_calls.hpp: the functions with named inputs, std::array and pointers
 //   ur10e_eigen.hpp: the functions for Eigen
 //
-// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad; an angle
-// beyond 2^32 rad counts as 0. A NaN or an infinity makes NaN or infinite what depends on it.
+// Inputs may be any finite numbers. Sines and cosines are within 0.8 ulp up to 1e5 rad, and
+// further on those of an angle within two units in its last place; an angle beyond 2^32 rad
+// counts as a multiple of pi/2. A NaN or an infinity makes NaN or infinite what depends on it.
 //
 // Joints, in the order of q and of qd, qdd, tau (fixed base):
 //   q 0       qd 0       shoulder_pan (revolute): -6.283185307179586 .. 6.283185307179586 rad,

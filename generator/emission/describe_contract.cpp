@@ -171,6 +171,7 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
           {"format", single ? "binary32" : "binary64"},
           {"accurate", single ? "4000" : "1e5"},
           {"largest", single ? "2^20" : "2^32"},
+          {"beyond", single || context.misra ? "0" : "a multiple of pi/2"},
           {"coordinates", std::to_string(context.coordinates)},
           {"velocities", std::to_string(context.velocities)},
           {"task_rows", std::to_string(context.task_rows)}};

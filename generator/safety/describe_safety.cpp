@@ -102,7 +102,9 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       "nothing "
       "is trapped or replaced. Results have to be tested by the caller.\n"
       "2. {} Results stay finite while squares and sums fit `Real`.\n"
-      "3. Sines and cosines are within 0.8 ulp up to {} rad; an angle beyond {} rad counts as 0.\n"
+      "3. Sines and cosines are within 0.8 ulp up to {} rad, and further on those of an angle "
+      "within "
+      "two units in its last place; an angle beyond {} rad counts as {}.\n"
       "4. Rounding is to nearest. Subnormal numbers are not flushed to zero.\n"
       "5. `Real` is {} of IEC 60559, every operation rounds to it. The header stops the compiler "
       "where it tells otherwise; clang does not tell of `-funsafe-math-optimizations`, "
@@ -115,7 +117,9 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       domain.empty()
           ? "No bound of errors is stated."
           : fmt::format("Bounds of errors hold for {}. Beyond, no bound is stated.", domain),
-      single ? "4000" : "1e5", single ? "2^20" : "2^32", single ? "binary32" : "binary64");
+      single ? "4000" : "1e5", single ? "2^20" : "2^32",
+      single || scene.profile == Profile::misra ? "0" : "a multiple of pi/2",
+      single ? "binary32" : "binary64");
 }
 
 const char* word_of(const RoundingBound& bound) {

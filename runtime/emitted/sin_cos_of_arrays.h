@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 /// Sine and cosine of x radians. Errors are at most 0.8 ulp up to TL_ACCURATE_ANGLE;
-/// beyond 2^TL_LARGEST_EXPONENT they are 0 and 1. NaN and infinities give NaN.
+/// beyond 2^TL_LARGEST_EXPONENT they are 0, 1 or -1. NaN and infinities give NaN.
 TL_INLINE void tl_sin_cos_of(real x, real* sine, real* cosine) {
   tl_sin_cos_steps(&x, sine, cosine);
 }

@@ -4,7 +4,7 @@
 
 namespace treeline {
 
-/// Slides in the plane normal to its axis, and then turns about the axis.
+/// Slides in the plane normal to its axis, and then turns about the axis. See `.convention`.
 inline constexpr JointCoordinate kPlanarCoordinates[] = {{"x, m", CoordinateKind::displacement},
                                                          {"y, m", CoordinateKind::displacement},
                                                          {"theta, rad", CoordinateKind::angle}};
@@ -16,6 +16,11 @@ inline constexpr JointTypeInfo kPlanarJoint{.type = JointType::planar,
                                             .name = "planar",
                                             .coordinates = kPlanarCoordinates,
                                             .velocities = kPlanarVelocities,
-                                            .steps = kPlanarSteps};
+                                            .steps = kPlanarSteps,
+                                            .convention =
+                                                "A planar joint slides along x and y of its frame, "
+                                                "turned by the smallest rotation that takes z to "
+                                                "the axis, and then turns about the axis by theta; "
+                                                "x and y are fixed in the parent."};
 
 }  // namespace treeline
