@@ -44,6 +44,11 @@ bool is_numbered(const std::string& name) {
          name.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
+/// Whether this is qd with digits, the name of a velocity.
+bool is_rate(const std::string& name) {
+  return name.size() > 2 && name.starts_with("qd") && is_numbered("q" + name.substr(2));
+}
+
 /// Reads a file line by line.
 class MotionReading {
  public:
@@ -109,23 +114,34 @@ class MotionReading {
     return -1;
   }
 
+  /// Whether q0 is among the columns, as in a table of whole states.
+  [[nodiscard]] bool columns_with_first() const {
+    return std::count(columns_.begin(), columns_.end(), 0) > 0;
+  }
+
   bool read_names(const std::string& line) {
     names_ = split_cells(line);
     bool has_time = false;
-    bool has_coordinate = false;
+    std::size_t coordinates = 0;
+    bool has_rates = false;
     for (const std::string& cell : names_) {
       const std::string name = without_unit(cell);
       const bool is_time = name == "time" || name == "time_s";
       has_time = has_time || is_time;
       columns_.push_back(is_time ? kTime : coordinate_of(name));
-      has_coordinate = has_coordinate || columns_.back() >= 0;
+      coordinates += columns_.back() >= 0 ? 1 : 0;
+      has_rates = has_rates || is_rate(first_word(name));
       if (columns_.back() == kNone && is_numbered(first_word(name))) {
         return fail(fmt::format("there is no coordinate `{}`: the robot has {}, from q0 on", name,
                                 home_.size()));
       }
     }
     if (!has_time) return fail("there is no column `time`");
-    return has_coordinate || fail("no column is a coordinate of this robot");
+    if (has_rates && columns_with_first() && coordinates != home_.size()) {
+      return fail(fmt::format("it has the state of a robot with {} coordinates, this one has {}",
+                              coordinates, home_.size()));
+    }
+    return coordinates > 0 || fail("no column is a coordinate of this robot");
   }
 
   bool read_row(const std::string& line) {

@@ -36,6 +36,14 @@ TEST_F(ReadMotion, TakesColumnsByNumber) {
   EXPECT_EQ(motion->q.front(), (std::vector<double>{7, 4, 5}));
 }
 
+// Would catch: a table that `simulate` wrote for a robot with fewer coordinates, whose columns
+// would all be taken for those of other joints.
+TEST_F(ReadMotion, RefusesTheStateOfAnotherRobot) {
+  EXPECT_FALSE(read("time_s,q0,q1,qd0,qd1,energy_J\n0,1,2,3,4,5\n"));
+  EXPECT_NE(fault().find("2 coordinates, this one has 3"), std::string::npos) << fault();
+  EXPECT_TRUE(read("time_s,q0,q1,q2,qd0,qd1,qd2\n0,1,2,3,4,5,6\n")) << fault();
+}
+
 // As the page of `treeline drive` saves them: with units, names behind numbers, cells without a
 // value.
 TEST_F(ReadMotion, TakesColumnsWithUnits) {
