@@ -90,6 +90,8 @@ void read_numbers(const SceneFields& fields, SceneController& controller) {
     }
     controller.*row.value = *number;
   }
+  const auto rise = fields.find("speed_rise");
+  if (rise != fields.end()) controller.speed_rise_line = rise->second.line();
   read_ticks(fields, "stale_ticks", controller.stale_ticks);
   read_ticks(fields, "blind_ticks", controller.blind_ticks);
 }
@@ -149,7 +151,7 @@ void check_frequencies(const SceneElement& element, const SceneController& contr
     element.error(
         fmt::format("{} is {} a second, which a period of {} s cannot follow", key, rate,
                     controller.period),
-        fmt::format("keep it below {}, or shorten the period", kMost / controller.period));
+        fmt::format("keep it at {} or below, or shorten the period", kMost / controller.period));
   };
   check("joint_frequency", controller.joint_frequency);
   if (controller.task) check("task_frequency", controller.task_frequency);

@@ -241,6 +241,7 @@ struct SceneController {
   double jump = 0.05;             ///< rad or m of q that qd does not explain
   double following = 0.3;         ///< rad or m that a reference may be away
   double speed_rise = 0.15;       ///< s in which a reference may rise from rest to its limit
+  int speed_rise_line = 0;        ///< of the scene that states it; 0: none does
   double torque_rise = 0.025;     ///< s in which a torque may rise from 0 to its limit
   double point_speed = 1.5;       ///< m/s of a point along its reference
   double point_turn = 3;          ///< rad/s

@@ -47,6 +47,7 @@ class SceneElement {
   [[nodiscard]] bool is(std::string_view word) const;
   [[nodiscard]] bool is_list() const { return node_.IsSequence(); }
   [[nodiscard]] bool is_map() const { return node_.IsMap(); }
+  [[nodiscard]] int line() const { return line_; }
   /// Entries of a map in the file's order; an error for no map, with `remedy`, and for a key given
   /// twice.
   [[nodiscard]] std::vector<Entry> entries(

@@ -42,9 +42,10 @@ void warn_of_speed_rise(const Scene& scene, const Generation& generation,
   if (!generation.controller || !scene.controller) return;
   const double asked = scene.controller->speed_rise;
   const double emitted = generation.controller->settings.speed_rise;
-  if (asked == SceneController{}.speed_rise || !(emitted > asked)) return;
+  const int line = scene.controller->speed_rise_line;
+  if (line == 0 || !(emitted > asked)) return;
   diagnostics.add(
-      {Severity::warning, scene.file, 0, "controller/speed_rise",
+      {Severity::warning, scene.file, line, "controller/speed_rise",
        fmt::format("{} s is asked for, and {} s is emitted: joints that rise to their limits of "
                    "speed sooner take more than half of the torque that gravity leaves the motors",
                    asked, emitted),

@@ -14,8 +14,8 @@ double estimate_compile_seconds(int flops);
 /// felt: how much source there is, how long a compiler takes, and what makes less of it.
 void warn_of_size(const Scene& scene, const Generation& generation, Diagnostics& diagnostics);
 
-/// A warning where the scene's controller asks for another `speed_rise` than the default, and
-/// motors need a longer one, which is emitted.
+/// A warning where the scene's controller states a `speed_rise` and motors need a longer one, which
+/// is emitted.
 void warn_of_speed_rise(const Scene& scene, const Generation& generation, Diagnostics& diagnostics);
 
 }  // namespace treeline
