@@ -64,8 +64,7 @@ std::string print_sizes(const ControllerUnit& unit, const Adaptation& own) {
   std::vector<Constant> constants = {{"ROWS", unit.rows, "of the task"},
                                      {"JOINT_LAW", 0, ""},
                                      {"TASK_LAW", 1, ""},
-                                     {"COMPLIANCE_LAW", 2, ""},
-                                     {"DISCONNECT", 1, "a command of loops, which stops"}};
+                                     {"COMPLIANCE_LAW", 2, ""}};
   if (unit.behaves()) {
     const auto behaviours = static_cast<int>(unit.settings.behaviours.size());
     const auto shares = static_cast<int>(unit.count_shares());

@@ -79,7 +79,7 @@ void add_task_holes(const EmissionContext& context, const ControllerUnit& unit, 
   fill("task_output",
        {{"task_error[6 * " + points + "]", "m, rad: reference less measured, world axes"}});
   holes["task_output"] +=
-      fmt::format("int32_t unmet; /* of {}_unmet, until another command */\n", context.name);
+      fmt::format("int32_t unmet; /* of {}_unmet, until another motion begins */\n", context.name);
   fill("task_state",
        {{"posture[" + name_in_capitals(context) + "_JOINTS]", "where joints were led last"},
         {"point_motion[24 * " + points + "]", ""},
