@@ -55,9 +55,10 @@ bool narrow_range(const NamedJoint& named, const Joint& leader, const Limits& pe
     return narrows_lower || narrows_upper;
   }
   warn(named.element, "mimic/no common position",
-       fmt::format("no position of \"{}\" from {} to {} has \"{}\", which follows it, within its "
-                   "limits: these are left out",
-                   leader.name, own.lower.value(), own.upper.value(), named.joint.name));
+       fmt::format(
+           "\"{}\" has no room from {} to {} that keeps \"{}\", which follows it, within its "
+           "limits: these are left out",
+           leader.name, own.lower.value(), own.upper.value(), named.joint.name));
   return false;
 }
 

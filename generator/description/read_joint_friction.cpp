@@ -16,6 +16,10 @@ bool states_friction(const Joint& joint) {
   return joint.damping != 0 || joint.friction != 0;
 }
 
+std::string count_joints(int count) {
+  return count == 1 ? "a joint" : fmt::format("{} joints", count);
+}
+
 bool has_one_motion(const Joint& joint, const Scene& scene) {
   return info_of(joint.type).has_one_freedom() && !scene.locked.contains(joint.name);
 }
@@ -106,9 +110,9 @@ class FrictionReader {
     }
     if (left_out == 0) return;
     element_.note(
-        fmt::format("the robot's file states Coulomb friction of {} joints, which viscous "
-                    "friction leaves out",
-                    left_out),
+        fmt::format("the robot's file states Coulomb friction of {}, which viscous friction leaves "
+                    "out",
+                    count_joints(left_out)),
         "joint_friction: coulomb counts it");
   }
 
@@ -173,12 +177,21 @@ void read_joint_friction(const SceneElement& element, const Robot& robot, Scene&
 }
 
 void note_unused_friction(const SceneElement& top, const Robot& robot) {
-  const auto stated = std::count_if(robot.joints.begin(), robot.joints.end(), states_friction);
-  if (stated == 0) return;
-  top.note(fmt::format(
-               "the robot's file states damping or friction of {} joints; no function counts them",
-               stated),
-           "joint_friction: viscous or coulomb in the scene adds them to the equations of motion");
+  int stated = 0, not_counted = 0;
+  for (const Joint& joint : robot.joints) {
+    if (!states_friction(joint)) continue;
+    ++(info_of(joint.type).has_one_freedom() ? stated : not_counted);
+  }
+  const auto note = [&](int count, const char* remedy) {
+    if (count == 0) return;
+    top.note(
+        fmt::format("the robot's file states damping or friction of {}; no function counts them",
+                    count_joints(count)),
+        remedy);
+  };
+  note(stated,
+       "joint_friction: viscous or coulomb in the scene adds them to the equations of motion");
+  note(not_counted, "only joints of one degree of freedom have friction");
 }
 
 }  // namespace treeline

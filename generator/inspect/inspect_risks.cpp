@@ -22,7 +22,11 @@ using interpreter::Vector;
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
 constexpr double kInertiaDigits = 3;
-constexpr double kFarAngle = 2e8;  ///< rad
+
+/// Angles beyond which sines lose digits, rad.
+double far_angle(const Scene& scene) {
+  return scene.real == Real::float32 ? 4000 : 2e8;
+}
 
 /// Digits that a condition number costs; all of double's if it is infinite.
 double digits_lost(double condition) {
@@ -166,15 +170,16 @@ void inspect_singularities(const Model<double>& model, const Points<double>& poi
   }
 }
 
-void inspect_angles(const DrawnStates& states, Report& report) {
+void inspect_angles(const Scene& scene, const DrawnStates& states, Report& report) {
   std::string unlimited;
   for (const JointReport* joint : states.joints()) {
-    if (joint->unit != "rad" || std::max(-joint->lower, joint->upper) <= kFarAngle) continue;
+    if (joint->unit != "rad" || std::max(-joint->lower, joint->upper) <= far_angle(scene)) continue;
     unlimited += (unlimited.empty() ? "" : ", ") + joint->name;
   }
   if (unlimited.empty()) return;
   report.risks.push_back({unlimited, "angle", 0,
-                          "may turn without limit: beyond 2e8 rad sines lose digits",
+                          fmt::format("may turn without limit: beyond {} rad sines lose digits",
+                                      scene.real == Real::float32 ? "4000" : "2e8"),
                           "Take whole turns off before that."});
 }
 
@@ -192,7 +197,7 @@ void inspect_risks(const Robot& robot, const Scene& scene, Report& report) {
     inspect_singularities(model, points_from_scene(model, scene.operational_points), states,
                           report);
   }
-  inspect_angles(states, report);
+  inspect_angles(scene, states, report);
 }
 
 }  // namespace treeline

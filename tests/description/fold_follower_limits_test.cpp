@@ -84,7 +84,7 @@ TEST(FollowerLimits, WithoutACommonPositionAreLeftOut) {
     EXPECT_EQ(limits.velocity.value(), 0.5);
     expect_diagnosed(diagnostics, "arm.urdf",
                      {Severity::warning, 5, "robot/joint[follow]/limit",
-                      "no position of \"lead\" from -1 to 1", "agree"});
+                      "\"lead\" has no room from -1 to 1 that keeps", "agree"});
   }
 }
 

@@ -215,7 +215,7 @@ TEST(ReadController, SaysWhatIsWrong) {
       {"controller: {laws: joint_impedance, period: 0}",
        {Severity::error, 1, "controller/period", "0 is not between", "such as 0.001"}},
       {"controller: {laws: joint_impedance, joint_frequency: 800}",
-       {Severity::error, 1, "controller", "joint_frequency is 800", "below 500"}},
+       {Severity::error, 1, "controller", "joint_frequency is 800", "at 500 or below"}},
       {kPoint + "controller: {laws: force, force_rate: 70}",
        {Severity::error, 2, "controller", "force_rate 70", "below force_damping"}},
       {"controller: {laws: joint_impedance, stale_ticks: 1.5}",

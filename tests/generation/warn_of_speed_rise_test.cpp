@@ -12,10 +12,11 @@
 namespace treeline {
 namespace {
 
-std::vector<Diagnostic> warnings(double asked, double emitted) {
+std::vector<Diagnostic> warnings(double asked, double emitted, int line = 7) {
   Scene scene;
   scene.controller = SceneController{};
   scene.controller->speed_rise = asked;
+  scene.controller->speed_rise_line = line;
   ControllerUnit unit;
   unit.settings.speed_rise = emitted;
   Generation generation;
@@ -30,13 +31,15 @@ TEST(WarnOfSpeedRise, TellsWhatWasAskedForAndWhatIsEmitted) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].severity, Severity::warning);
   EXPECT_EQ(told[0].element, "controller/speed_rise");
+  EXPECT_EQ(told[0].line, 7);
   EXPECT_NE(told[0].fault.find("0.02 s is asked for, and 0.43 s is emitted"), std::string::npos);
   EXPECT_NE(told[0].remedy.find("speed_rise: 0.43"), std::string::npos);
 }
 
 TEST(WarnOfSpeedRise, IsSilentWhereNothingWasOverridden) {
   EXPECT_TRUE(warnings(0.5, 0.5).empty());
-  EXPECT_TRUE(warnings(SceneController{}.speed_rise, 0.43).empty()) << "nobody asked";
+  EXPECT_TRUE(warnings(SceneController{}.speed_rise, 0.43, 0).empty()) << "nobody asked";
+  EXPECT_FALSE(warnings(SceneController{}.speed_rise, 0.43).empty()) << "the default by name";
 }
 
 }  // namespace
