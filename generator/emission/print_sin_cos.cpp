@@ -49,6 +49,53 @@ std::vector<std::string_view> list_steps(const EmissionContext& context) {
           single ? templates::kSinCosInFloat : templates::kSinCosInDouble};
 }
 
+/// A text without its comments on declarations.
+std::string without_comments(const std::string& text) {
+  std::string code;
+  for (std::size_t at = 0, end = 0; at < text.size(); at = end) {
+    end = text.find('\n', at) + 1;
+    if (text.compare(at, 3, "///") != 0) code += text.substr(at, end - at);
+  }
+  return code;
+}
+
+/// The steps of so many angles side by side; `name` is that of their type.
+std::string print_steps_in_lanes(const EmissionContext& context, const char* name,
+                                 const char* lanes) {
+  Adaptation own = make_sine_adaptation(context);
+  own.part = name;
+  own.words["TlAngle"] = context.name + "_" + name;
+  own.words.erase("TlAngleBits");  // a type of its own, too
+  own.words["TL_LANES"] = lanes;
+  own.words["TL_INLINE"] = name_in_capitals(context) + "_SINES_INLINE";
+  std::vector<std::string_view> headers = list_steps(context);
+  headers.front() = templates::kLaneBits;  // instead of the bits of one number
+  headers.push_back(templates::kSinCosOfLanes);
+  std::string text;
+  for (const std::string_view header : headers) {
+    text += (text.empty() ? "" : "\n") + without_comments(adapt_declarations(header, own));
+  }
+  return text;
+}
+
+/// The loop of one angle after the other and, where there may be lanes, groups of them.
+std::string print_for_arrays(const EmissionContext& context, Adaptation own) {
+  const bool grouped = context.language == Language::c && !context.misra && context.lanes > 1;
+  if (grouped) own.words["tl_sin_cos"] = context.name + "_sin_cos_of_each";
+  const std::string each =
+      adapt(join_headers(list_steps(context), templates::kSinCosOfArrays), own);
+  if (!grouped) return each;
+  const char* const wide = context.single_precision ? "__AVX__" : "__AVX512F__";
+  return each + "\n" +
+         fill_template(templates::kSinCosInGroups,
+                       {{"name", context.name},
+                        {"NAME", name_in_capitals(context)},
+                        {"real", number_type(context)},
+                        {"wide", fmt::format("defined({})", wide)},
+                        {"fours", print_steps_in_lanes(context, "fours", "4")},
+                        {"eights", print_steps_in_lanes(context, "eights", "8")}});
+}
+
 /// C++ has references to arrays around the steps.
 std::string print_for_references(const EmissionContext& context, const Adaptation& own) {
   std::string steps;
@@ -70,7 +117,7 @@ GeneratedFile print_sin_cos(const EmissionContext& context) {
   const std::string name = header_name(context, "sin_cos");
   if (backend_of(context.language).has_references)
     return {name, print_for_references(context, own)};
-  return {name, adapt(join_headers(list_steps(context), templates::kSinCosOfArrays), own)};
+  return {name, print_for_arrays(context, own)};
 }
 
 std::string print_sines_in_lanes() {

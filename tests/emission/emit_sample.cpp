@@ -22,10 +22,9 @@ int main(int argc, char** argv) {
       treeline::test::sample_context(argv[2], single_precision, language);
   context.misra = misra;
   context.batch = is_plain ? 0 : treeline::test::kSampleBatch;
-  if (is_c && !single_precision) {  // batches in vectors, those in float in loops
-    context.lanes = 8;
-    context.asks_for_lanes = true;
-  }
+  if (is_c && !misra) context.lanes = 8;
+  // Batches in vectors, those in float in loops.
+  context.asks_for_lanes = is_c && !single_precision;
   auto programs = misra ? treeline::test::safe_programs() : treeline::test::sample_programs();
   if (is_plain) {
     for (treeline::Program& program : programs) program.packs.clear();

@@ -38,6 +38,26 @@ TEST(PrintSinCos, HasTheStepsOfItsNumberOnce) {
   }
 }
 
+// Would catch: lanes for who must not have them, or has them in the language, and steps that are
+// described again.
+TEST(PrintSinCos, HasGroupsInPlainCWhereThereMayBeLanes) {
+  for (const Language language : {Language::c, Language::opencl}) {
+    for (const int lanes : {1, 4}) {
+      for (const bool misra : {false, true}) {
+        EmissionContext context = test::sample_context("arm", false, language);
+        context.lanes = lanes;
+        context.misra = misra;
+        const std::string text = print_sin_cos(context).text;
+        expect_own_names(text);
+        const bool grouped = language == Language::c && lanes > 1 && !misra;
+        EXPECT_EQ(count(text, kInDouble), grouped ? 3 : 1);
+        EXPECT_EQ(count(text, "vector_size"), grouped ? 6 : 0);
+        EXPECT_EQ(count(text, "Minimax"), 1);
+      }
+    }
+  }
+}
+
 TEST(PrintSinCos, HasBothNumbersInLanes) {
   const std::string text = print_sines_in_lanes();
   expect_own_names(text);
