@@ -5,6 +5,7 @@
 #include "compilation/templates.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/emitted_text.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -1,31 +1,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "description/read_keys.hpp"
+#include "description/read_scene_point.hpp"
 #include "description/suggestions.hpp"
 #include "text/identifier.hpp"
 
 namespace treeline {
 namespace {
 
-bool lists(const std::vector<std::string>& tasks, const std::string& name) {
-  return std::find(tasks.begin(), tasks.end(), name) != tasks.end();
-}
-
-/// As the emitted header has the name, in capitals.
-std::string in_header(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
-
 std::vector<std::string> read_tasks(const SceneElement& element, const Scene& scene) {
   std::vector<std::string> tasks;
   for (const SceneElement& item : element.items()) {
     const auto name = item.text();
     if (!name) continue;
-    if (!lists(scene.inputs.active_tasks, *name)) {
+    if (!contains(scene.inputs.active_tasks, *name)) {
       const auto& points = scene.operational_points;
       const bool known = std::any_of(points.begin(), points.end(),
                                      [&](const ScenePoint& point) { return point.name == *name; });
@@ -33,7 +23,7 @@ std::vector<std::string> read_tasks(const SceneElement& element, const Scene& sc
                        : fmt::format("there is no operational point \"{}\"", *name),
                  known ? "list it under inputs: active; what is not there is always done"
                        : suggest_name(*name, scene.inputs.active_tasks, "come and go"));
-    } else if (lists(tasks, *name)) {
+    } else if (contains(tasks, *name)) {
       item.error(fmt::format("\"{}\" is listed twice", *name), "list it once");
     } else {
       tasks.push_back(*name);
@@ -52,7 +42,7 @@ void read_behaviours(const SceneElement& element, const Scene& scene, SceneContr
       continue;
     }
     for (const SceneBehaviour& other : controller.behaviours) {
-      if (in_header(other.name) != in_header(name)) continue;
+      if (in_capitals(other.name) != in_capitals(name)) continue;
       value.error(fmt::format("in capitals it is the same name as \"{}\"", other.name),
                   "give it another");
     }

@@ -125,10 +125,6 @@ std::vector<SceneTool> read_places(const SceneElement& element, const Places& pl
   return read;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// Names of constraints, and of operational points whose tasks, come and go.
 void read_active(const SceneElement& element, Scene& scene) {
   std::vector<std::string> held, tasks;

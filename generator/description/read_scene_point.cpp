@@ -67,6 +67,10 @@ std::array<bool, 6> read_rows(const SceneElement& element) {
   return rows;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::vector<SceneElement> one_or_more(const SceneElement& element) {
   return element.is_list() ? element.items() : std::vector<SceneElement>{element};
 }

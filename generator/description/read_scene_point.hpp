@@ -24,6 +24,9 @@ std::array<bool, 6> read_rows(const SceneElement& element);
 /// One item, or a list of items.
 std::vector<SceneElement> one_or_more(const SceneElement& element);
 
+/// Whether a name is among those.
+bool contains(const std::vector<std::string>& names, const std::string& name);
+
 /// The link of that name; null, and an error, where the robot has none, or one that cannot move in
 /// the scene.
 const Link* find_moving_link(const SceneElement& element, const std::string& name,

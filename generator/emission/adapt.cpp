@@ -9,6 +9,7 @@
 
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

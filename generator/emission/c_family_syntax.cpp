@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "program/format_literal.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {
@@ -80,11 +81,6 @@ std::string number_literal(const EmissionContext& context, const char* digits) {
 std::string signed_literal(const Syntax& syntax, double value) {
   if (value == 0) return syntax.literal(0);
   return (value < 0 ? "-" : "") + syntax.literal(std::abs(value));
-}
-
-std::string in_capitals(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
 }
 
 std::string in_pascal_case(std::string_view name) {

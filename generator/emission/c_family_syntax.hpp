@@ -21,7 +21,6 @@ std::string signed_literal(const Syntax& syntax, double value);
 /// Changes the syntax as rules for safe code ask: suffixes in capitals, all parentheses.
 void follow_misra(bool single_precision, Syntax& syntax);
 
-std::string in_capitals(std::string name);
 /// `inverse_dynamics`: `InverseDynamics`.
 std::string in_pascal_case(std::string_view name);
 /// `MotionWork`: `motion_work`.

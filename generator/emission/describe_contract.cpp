@@ -158,6 +158,7 @@ std::string describe_function(const EmissionContext& context, const Program& pro
 
 std::map<std::string, std::string> describe_contract(const EmissionContext& context) {
   const bool single = context.single_precision;
+  const SineWords sines = describe_sines(single, context.misra);
   return {{"robot", context.robot},
           {"version", generator_version()},
           {"origin", comment("//", describe_origin(context))},
@@ -169,9 +170,9 @@ std::map<std::string, std::string> describe_contract(const EmissionContext& cont
           {"real", number_type(context)},
           {"digits", single ? "24" : "53"},
           {"format", single ? "binary32" : "binary64"},
-          {"accurate", single ? "4000" : "1e5"},
-          {"largest", single ? "2^20" : "2^32"},
-          {"beyond", single || context.misra ? "0" : "a multiple of pi/2"},
+          {"accurate", sines.accurate},
+          {"largest", sines.largest},
+          {"beyond", sines.beyond},
           {"coordinates", std::to_string(context.coordinates)},
           {"velocities", std::to_string(context.velocities)},
           {"task_rows", std::to_string(context.task_rows)}};

@@ -57,7 +57,7 @@ std::string describe_laws(const ControllerUnit& unit) {
         "BEHAVE: the tasks of another behaviour are done. Within the duration the share to which "
         "each is done moves by a quintic, see control_torque, and the torque with it. A point "
         "whose task comes is held where it is; of one whose task is not done whole the error is "
-        "no fault, and MOVE_POINT is refused. ";
+        "no fault, and commands that would move or press it are refused. ";
   }
   text += "COMPLY: springs and dampers, tau = g + K (p - q) + (D + c M) (v - qd)";
   text += unit.settings.force ? " + sum J^T (K e + D (v - xd))" : "";

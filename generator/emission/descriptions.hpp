@@ -89,6 +89,17 @@ bool holds_rows(const EmissionContext& context);
 /// Freedoms of torques and internal forces, at least one.
 int count_freedoms(const LimitFacts& facts);
 
+/// How far sines and cosines go: rad up to which they are within 0.8 ulp, and up to which they are
+/// those of an angle nearby; and what an angle beyond counts as.
+struct SineWords {
+  const char *accurate, *largest, *beyond;
+};
+
+constexpr SineWords describe_sines(bool single_precision, bool misra) {
+  return {single_precision ? "4000" : "1e5", single_precision ? "2^20" : "2^32",
+          single_precision || misra ? "0" : "a multiple of pi/2"};
+}
+
 /// How a language writes the layout of supports whose shares are arguments.
 struct ShareWords {
   std::string scope;  ///< of functions

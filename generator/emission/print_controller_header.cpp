@@ -12,6 +12,7 @@
 #include "emission/emitted_text.hpp"
 #include "emission/print_files.hpp"
 #include "emission/templates.hpp"
+#include "text/identifier.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {
@@ -142,9 +143,8 @@ void add_behaviour_holes(const EmissionContext& context, const ControllerUnit& u
                         tasks.empty() ? "none of them" : printable(tasks));
   }
   holes["behaviours"] = fmt::format(
-      "/* Behaviours, each with the tasks that it does of those that come and go. The first is "
-      "what\n"
-      "   the controller begins with. */\n"
+      "/* Behaviours, each with the tasks that it does of those that come and go. The first is\n"
+      "   what the controller begins with. */\n"
       "typedef enum {0}_behaviour {{\n{1}}} {0}_behaviour;\n\n",
       name, list);
   const std::string shares = fmt::format("[{}]", unit.count_shares());

@@ -74,7 +74,7 @@ std::vector<double> list_shares(const ControllerUnit& unit) {
     for (const ControllerUnit::Point& point : unit.points) {
       const auto& tasks = behaviour.tasks;
       const bool done = std::find(tasks.begin(), tasks.end(), point.name) != tasks.end();
-      if (point.share >= 0 && done) row[static_cast<std::size_t>(point.share)] = 1;
+      if (done) row[static_cast<std::size_t>(point.share)] = 1;
     }
     shares.insert(shares.end(), row.begin(), row.end());
   }

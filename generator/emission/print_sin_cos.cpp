@@ -9,6 +9,7 @@
 #include "emission/backend.hpp"
 #include "emission/c_family_syntax.hpp"
 #include "emission/core_headers.hpp"
+#include "emission/descriptions.hpp"
 #include "emission/emitted_text.hpp"
 #include "emission/print_files.hpp"
 #include "emission/templates.hpp"
@@ -33,7 +34,7 @@ Adaptation make_sine_adaptation(const EmissionContext& context) {
       {"TlAngle", number_type(context)},
       {"TlAngleBits", own.words["TlBits"]},
       {"TL_LARGEST_EXPONENT", single ? "20" : "32"},
-      {"TL_ACCURATE_ANGLE", single ? "4000" : "1e5"},
+      {"TL_ACCURATE_ANGLE", describe_sines(single, context.misra).accurate},
       {"TL_AS_INDEX", fmt::format(fmt::runtime(backend_of(context.language).cast), "int32_t")}};
   own.words.insert(words.begin(), words.end());
   return own;

@@ -8,6 +8,7 @@
 #include "inspect/draw_states.hpp"
 #include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "oracle/draw_state.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "oracle/symmetric_matrices.hpp"
@@ -22,11 +23,6 @@ using interpreter::Vector;
 constexpr int kInertiaStates = 32;
 constexpr int kSweptStates = 4;
 constexpr double kInertiaDigits = 3;
-
-/// Angles beyond which sines lose digits, rad.
-double far_angle(const Scene& scene) {
-  return scene.real == Real::float32 ? 4000 : 2e8;
-}
 
 /// Digits that a condition number costs; all of double's if it is infinite.
 double digits_lost(double condition) {
@@ -171,15 +167,17 @@ void inspect_singularities(const Model<double>& model, const Points<double>& poi
 }
 
 void inspect_angles(const Scene& scene, const DrawnStates& states, Report& report) {
+  const bool single = scene.real == Real::float32;
   std::string unlimited;
   for (const JointReport* joint : states.joints()) {
-    if (joint->unit != "rad" || std::max(-joint->lower, joint->upper) <= far_angle(scene)) continue;
+    const double farthest = std::max(-joint->lower, joint->upper);
+    if (joint->unit != "rad" || farthest <= farthest_angle(single)) continue;
     unlimited += (unlimited.empty() ? "" : ", ") + joint->name;
   }
   if (unlimited.empty()) return;
   report.risks.push_back({unlimited, "angle", 0,
                           fmt::format("may turn without limit: beyond {} rad sines lose digits",
-                                      scene.real == Real::float32 ? "4000" : "2e8"),
+                                      single ? "4000" : "2e8"),
                           "Take whole turns off before that."});
 }
 

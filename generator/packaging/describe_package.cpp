@@ -13,6 +13,7 @@
 #include "emission/generated_file.hpp"
 #include "emission/list_sources.hpp"
 #include "target/target.hpp"
+#include "text/identifier.hpp"
 #include "text/printable.hpp"
 
 namespace treeline {

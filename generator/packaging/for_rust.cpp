@@ -14,6 +14,7 @@
 #include "packaging/call_c.hpp"
 #include "packaging/package_kinds.hpp"
 #include "packaging/templates.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

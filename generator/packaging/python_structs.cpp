@@ -13,6 +13,7 @@
 #include "packaging/call_c.hpp"
 #include "packaging/templates.hpp"
 #include "passes/count_operations.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {

@@ -96,6 +96,7 @@ std::string print_files(const Generation& generation, const Provenance& provenan
 
 std::string print_assumptions(const Scene& scene, const Generation& generation) {
   const bool single = scene.real == Real::float32;
+  const SineWords sines = describe_sines(single, scene.profile == Profile::misra);
   const std::string domain = describe_domain(generation);
   return fmt::format(
       "1. Inputs{} are finite. A NaN or an infinity makes NaN or infinite what depends on it; "
@@ -103,8 +104,7 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       "is trapped or replaced. Results have to be tested by the caller.\n"
       "2. {} Results stay finite while squares and sums fit `Real`.\n"
       "3. Sines and cosines are within 0.8 ulp up to {} rad, and further on those of an angle "
-      "within "
-      "two units in its last place; an angle beyond {} rad counts as {}.\n"
+      "within two units in its last place; an angle beyond {} rad counts as {}.\n"
       "4. Rounding is to nearest. Subnormal numbers are not flushed to zero.\n"
       "5. `Real` is {} of IEC 60559, every operation rounds to it. The header stops the compiler "
       "where it tells otherwise; clang does not tell of `-funsafe-math-optimizations`, "
@@ -117,9 +117,7 @@ std::string print_assumptions(const Scene& scene, const Generation& generation) 
       domain.empty()
           ? "No bound of errors is stated."
           : fmt::format("Bounds of errors hold for {}. Beyond, no bound is stated.", domain),
-      single ? "4000" : "1e5", single ? "2^20" : "2^32",
-      single || scene.profile == Profile::misra ? "0" : "a multiple of pi/2",
-      single ? "binary32" : "binary64");
+      sines.accurate, sines.largest, sines.beyond, single ? "binary32" : "binary64");
 }
 
 const char* word_of(const RoundingBound& bound) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "text/printable.hpp"
 
@@ -111,6 +112,11 @@ std::string identifier_from(std::string_view name) {
   if (identifier.empty()) return "unnamed";
   if (is_taken_name(identifier) && !trailing) identifier += '_';
   return identifier;
+}
+
+std::string in_capitals(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
 }
 
 bool is_package_name(std::string_view name) {

@@ -15,6 +15,9 @@ bool is_identifier(std::string_view name);
 /// keyword is followed by an underscore. Never empty. Different names may meet in one identifier.
 std::string identifier_from(std::string_view name);
 
+/// ASCII letters in capitals, the rest as it is.
+std::string in_capitals(std::string name);
+
 /// Whether emitted code may have this name as a whole: its namespace, its header NAME.hpp and its
 /// target in CMake. Excludes targets that every build has (`all`, `test`) and headers that may lie
 /// beside NAME.hpp (`lanes`).

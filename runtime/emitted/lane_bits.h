@@ -3,7 +3,7 @@
 
 typedef real TlAngle __attribute__((vector_size(TL_LANES * TL_REAL_BYTES)));
 typedef TlBits TlAngleBits __attribute__((vector_size(TL_LANES * TL_REAL_BYTES)));
-/// The same in an array, wherever that lies.
+/// Numbers side by side in an array, wherever that lies.
 typedef real TlRow __attribute__((
     vector_size(TL_LANES * TL_REAL_BYTES), aligned(TL_REAL_BYTES), may_alias));
 

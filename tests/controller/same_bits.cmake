@@ -10,8 +10,7 @@ file(REMOVE_RECURSE ${FOLDER})
 file(READ ${SOURCE}/puma.yaml scene)
 file(WRITE ${FOLDER}/scene.yaml "${scene}\nlanes: 1\n")  # the safe one has none
 if(NOT LOOPS)  # which do every task whole
-  include(${SOURCE}/add_behaviours.cmake)
-  add_behaviours(${FOLDER}/scene.yaml)
+  run(${CMAKE_COMMAND} -DFILE=${FOLDER}/scene.yaml -P ${SOURCE}/add_behaviours.cmake)
 endif()
 
 set(level -O2)

@@ -11,8 +11,8 @@ include(${firmware}/cores.cmake)
 file(REMOVE_RECURSE ${FOLDER})
 file(READ ${TESTS}/controller/puma.yaml scene)
 file(WRITE ${FOLDER}/scene.yaml "${scene}\nlanes: 1\n")
-include(${TESTS}/controller/add_behaviours.cmake)
-add_behaviours(${FOLDER}/scene.yaml)
+execute_process(COMMAND ${CMAKE_COMMAND} -DFILE=${FOLDER}/scene.yaml
+  -P ${TESTS}/controller/add_behaviours.cmake COMMAND_ERROR_IS_FATAL ANY)
 
 set(count 0)
 # Runs what was built, and compares what it prints with the first build's.

@@ -80,7 +80,7 @@ export class MockServer {
   #sockets = new Set();
 
   /**
-   * Of a PUMA 560, or of `urdf`, whose joints stand behind their parents. `meshes` are bytes by the
+   * Serves a PUMA 560, or `urdf`, whose joints stand behind their parents. `meshes` are bytes by the
    * name that the URDF gives them; what it names beside is missing.
    */
   constructor(urdf, meshes = {}) {

@@ -22,8 +22,8 @@ Program program_of(int inputs, Make make) {
 }
 
 /// A random program of `operations` sums, products and a few quotients and sines over five inputs.
-/// Its last values are the results. It is deep and has many common subexpressions, like traced
-/// recursions.
+/// The last values are the results. The program is deep and has many common subexpressions, like
+/// traced recursions.
 inline Program random_program(unsigned seed, int operations) {
   std::mt19937 random(seed);
   Program program;

@@ -23,7 +23,7 @@ struct Wheel {
   }
 };
 
-/// Its forward dynamics has rotors and friction of its own.
+/// A wheel whose forward dynamics has rotors and friction of its own.
 struct DrivenWheel : Wheel {
   static constexpr bool kDrivesInJoints = true;
 };

@@ -31,7 +31,8 @@ inline constexpr JointTypeInfo kBallJoint{
     .convention =
         "Of a ball joint q is a quaternion (x y z w, of a length from 1e-7 to 1e150, in float to "
         "1e18; 0 turns by nothing), that of the link in the joint's frame, qd its angular velocity "
-        "and tau the moment, both "
-        "in the moving link's axes; qdd is the derivative of qd, component by component."};
+        "and tau the moment, both in the moving link's axes; qdd is the derivative of qd, "
+        "component "
+        "by component."};
 
 }  // namespace treeline

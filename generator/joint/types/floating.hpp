@@ -28,8 +28,8 @@ inline constexpr JointTypeInfo kFloatingJoint{
     .convention =
         "Of a floating joint q is position and quaternion (x y z w, of a length from 1e-7 to "
         "1e150, in float to 1e18; 0 turns by nothing) in the parent's frame, qd its linear and "
-        "angular velocity in the "
-        "moving link's axes, tau force and moment in those axes; qdd is the derivative of qd, "
-        "component by component."};
+        "angular velocity in the moving link's axes, tau force and moment in those axes; qdd is "
+        "the "
+        "derivative of qd, component by component."};
 
 }  // namespace treeline

@@ -21,8 +21,8 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned 
 fi
 tests=$source_dir/tests/controller
 rm -rf puma_arm gantry
-sed 's/^controller:/&\n  behaviours: {do: [tool], leave: []}/' "$tests/puma.yaml" > puma.yaml
-echo 'inputs: {active: [tool]}' >> puma.yaml
+cp "$tests/puma.yaml" .
+cmake -DFILE=puma.yaml -P "$tests/add_behaviours.cmake"
 "$treeline" generate "$source_dir/robots/puma560/puma560.urdf" puma.yaml --output puma_arm
 "$treeline" generate "$tests/safe_state/turning_gantry.urdf" "$tests/safe_state/gantry.yaml" \
   --name gantry --output gantry

@@ -57,8 +57,8 @@ Robot read_twin(const std::string& elements) {
   return robot.value_or(Robot{});
 }
 
-/// The same links, joints, poses, masses, limits and dynamics. Poses are composed in double from a
-/// few rotations and offsets of less than a metre.
+/// Expects both to have the same links, joints, poses, masses, limits and dynamics. Poses are
+/// composed in double from a few rotations and offsets of less than a metre.
 void expect_same(const Robot& read, const Robot& twin, Base base) {
   const RobotDifference difference = compare_robots(read, twin, base, 1e-14);
   EXPECT_FALSE(difference.differs()) << print_text(difference);
