@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "148d951b221e0c3e43957cb53a78d39e8f81fb526a1a3d7c1a6e6534d05eeb01";
+    "3b6c18e181b36bb3c426ebc165c2212c6ae66503cc96042e19335282fee36d65";

@@ -131,29 +131,16 @@ struct VectorLanes {
   }
 };
 
+#if defined(__AVX512F__)
+inline constexpr int kDoublesAtOnce = 8;
+#else
+inline constexpr int kDoublesAtOnce = 4;
+#endif
 #if defined(__AVX__)
 inline constexpr int kFloatsAtOnce = 8;
 #else
 inline constexpr int kFloatsAtOnce = 4;
 #endif
-
-/// As many angles of one state as are computed at once. Four doubles are faster than eight even
-/// where eight fit a register.
-template <class Real>
-inline constexpr int kAnglesAtOnce = sizeof(Real) == sizeof(double) ? 4 : kFloatsAtOnce;
-
-/// The first `count` of `width` numbers; the lanes left over repeat the first.
-template <int count, int width, class Real>
-TREELINE_INLINE_LANES void load_angles(const Real* from,
-                                       typename VectorLanes<Real, width>::Value& value) noexcept {
-  static_assert(count == width || (count < width && width == 4));
-  if constexpr (count == width) {
-    __builtin_memcpy(&value, from, sizeof(value));
-  } else {
-    using Value = typename VectorLanes<Real, width>::Value;
-    value = Value{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
-  }
-}
 #else
 #define TREELINE_INLINE_LANES inline
 #endif
@@ -375,8 +362,6 @@ TREELINE_STEP void sin_cos_steps(const Angle* x, Angle* sine, Angle* cosine) {
 }
 };
 
-#undef TREELINE_STEP
-
 /// Sine and cosine in double or float on one lane or several.
 template <class Lanes>
 TREELINE_INLINE_LANES void sin_cos_steps(const typename Lanes::Value& x,
@@ -406,54 +391,87 @@ inline void sin_cos(float x, float& sine, float& cosine) noexcept {
 }
 
 #if defined(TREELINE_HAS_LANES)
-/// `count` angles from `x` on in `width` lanes.
-template <int count, int width, class Real>
-TREELINE_INLINE_LANES void sin_cos_group(const Real* x, Real* sine, Real* cosine) noexcept {
-  using Group = VectorLanes<Real, width>;
-  typename Group::Value angle;
-  typename Group::Value s;
-  typename Group::Value c;
-  load_angles<count, width>(x, angle);
-  sin_cos_steps<Group>(angle, s, c);
-  __builtin_memcpy(sine, &s, count * sizeof(Real));
-  __builtin_memcpy(cosine, &c, count * sizeof(Real));
+/// Groups of angles side by side.
+template <class Number>
+struct SineGroups {
+  using real = Number;
+  static constexpr int kAnglesAtOnce =
+      sizeof(real) == sizeof(double) ? kDoublesAtOnce : kFloatsAtOnce;
+
+  TREELINE_STEP void sin_cos_of(real x, real* sine, real* cosine) {
+    sin_cos_steps<OneLane<real>>(x, *sine, *cosine);
+  }
+  TREELINE_STEP void fours_sin_cos(const real* x, real* sine, real* cosine) {
+    take_group<4>(x, sine, cosine);
+  }
+  TREELINE_STEP void eights_sin_cos(const real* x, real* sine, real* cosine) {
+    take_group<8>(x, sine, cosine);
+  }
+
+/// Sines and cosines of several angles. Of many, the last eight take some a second time:
+/// a remainder would make the code long. Of few, two or three that remain are padded.
+TREELINE_STEP void sin_cos(int32_t count, const real* x, real* sine, real* cosine) {
+  int32_t done = 0;
+  if (kAnglesAtOnce == 8) {
+    done = (count > 16) ? count : count - (count % 8);
+    for (int32_t i = 0; i < done; i += 8) {
+      const int32_t at = (i + 8 <= count) ? i : count - 8;
+      eights_sin_cos(&x[at], &sine[at], &cosine[at]);
+    }
+  }
+  const int32_t whole = (done < count) ? count - (count % 4) : count;
+  for (int32_t i = done; i < whole; i += 4) {
+    fours_sin_cos(&x[i], &sine[i], &cosine[i]);
+  }
+  const int32_t left = count - whole;
+  if (left == 1) {
+    sin_cos_of(x[whole], &sine[whole], &cosine[whole]);
+  } else if (left > 1) {
+    const real angles[4] = {x[whole], x[whole + 1], x[count - 1], x[whole]};
+    real sines[4];
+    real cosines[4];
+    fours_sin_cos(angles, sines, cosines);
+    sine[whole] = sines[0];
+    cosine[whole] = cosines[0];
+    sine[whole + 1] = sines[1];
+    cosine[whole + 1] = cosines[1];
+    if (left == 3) {
+      sine[whole + 2] = sines[2];
+      cosine[whole + 2] = cosines[2];
+    }
+  }
 }
 
-/// `count` angles from `x` on, as many at once as may be, what is left over in four lanes.
-template <int count, class Real>
-TREELINE_INLINE_LANES void sin_cos_groups(const Real* x, Real* sine, Real* cosine) noexcept {
-  constexpr int kAtOnce = kAnglesAtOnce<Real>;
-  constexpr int kWhole = count - count % kAtOnce;
-  for (int i = 0; i < kWhole; i += kAtOnce) {
-    sin_cos_group<kAtOnce, kAtOnce>(x + i, sine + i, cosine + i);
+ private:
+  template <int width>
+  TREELINE_STEP void take_group(const real* x, real* sine, real* cosine) {
+    using Group = VectorLanes<real, width>;
+    typename Group::Value angle;
+    typename Group::Value s;
+    typename Group::Value c;
+    __builtin_memcpy(&angle, x, sizeof(angle));
+    sin_cos_steps<Group>(angle, s, c);
+    __builtin_memcpy(sine, &s, sizeof(s));
+    __builtin_memcpy(cosine, &c, sizeof(c));
   }
-  constexpr int kLeft = count - kWhole;
-  constexpr int kFour = kLeft > 4 ? 4 : kLeft;
-  if constexpr (kFour > 0) {
-    sin_cos_group<kFour, 4>(x + kWhole, sine + kWhole, cosine + kWhole);
-  }
-  if constexpr (kLeft > kFour) {
-    constexpr int kLast = kWhole + kFour;
-    sin_cos_group<kLeft - kFour, 4>(x + kLast, sine + kLast, cosine + kLast);
-  }
-}
+};
 
 template <int N, class Real>
 __attribute__((noinline)) void sin_cos_apart(const Real (&x)[N], Real (&sine)[N],
                                              Real (&cosine)[N]) noexcept {
-  sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
+  SineGroups<Real>::sin_cos(N, &x[0], &sine[0], &cosine[0]);
 }
 
-/// Sines and cosines of N angles, a group to a vector, the last one padded; the same bits as the
-/// scalar function under -ffp-contract=off. The arrays must not overlap. Of many angles the loop
-/// stays a loop, apart: a caller with that many joints is long, and bound by its bytes.
+/// Sines and cosines of N angles, a group to a vector; the same bits as the scalar function under
+/// -ffp-contract=off. The arrays must not overlap. Of many angles the loop stays a loop, apart: a
+/// caller with that many joints is long, and bound by its bytes.
 template <int N, class Real>
 inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noexcept {
   constexpr int kMany = 16;
   if constexpr (N > kMany) {
     sin_cos_apart(x, sine, cosine);
   } else {
-    sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
+    SineGroups<Real>::sin_cos(N, &x[0], &sine[0], &cosine[0]);
   }
 }
 #else
@@ -465,6 +483,7 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
 }
 #endif
 
+#undef TREELINE_STEP
 #undef TREELINE_INLINE_BITS
 #undef TREELINE_INLINE_LANES
 #undef TREELINE_HAS_LANES

@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "6fa7655c57515acfb6702163fd96c16026c53e3dd872fe05fb395cd57ad888b8";
+    "be4a04acd6f36f6e74ca0a963e274985ecad50ebfadc76ef6488267fcb2eea46";

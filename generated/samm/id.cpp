@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "bbc63db6bf6285d7b820d8b20ed20bc2c67e81eb8d815f40c5631d5c50ce0d47";
+    "81e25763184f75bb2073b3806e22314f2e57618343ff66772d59fee23bfeda31";

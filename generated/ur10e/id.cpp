@@ -6,4 +6,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.9.0 ur10e sha256 "
-    "134b82ce17703fbcf5cd7c8d4f453a79b39f0920497d4b4324cf50a41f42aed9";
+    "ea93ac95f70ceb4aa091428e17f48941afde3580d33626a318a96935d3a0a26f";

@@ -60,15 +60,20 @@ std::string without_comments(const std::string& text) {
   return code;
 }
 
+Adaptation make_group_adaptation(const EmissionContext& context) {
+  Adaptation own = make_sine_adaptation(context);
+  own.words["TL_INLINE"] = name_in_capitals(context) + "_SINES_INLINE";
+  return own;
+}
+
 /// The steps of so many angles side by side; `name` is that of their type.
 std::string print_steps_in_lanes(const EmissionContext& context, const char* name,
                                  const char* lanes) {
-  Adaptation own = make_sine_adaptation(context);
+  Adaptation own = make_group_adaptation(context);
   own.part = name;
   own.words["TlAngle"] = context.name + "_" + name;
   own.words.erase("TlAngleBits");  // a type of its own, too
   own.words["TL_LANES"] = lanes;
-  own.words["TL_INLINE"] = name_in_capitals(context) + "_SINES_INLINE";
   std::vector<std::string_view> headers = list_steps(context);
   headers.front() = templates::kLaneBits;  // instead of the bits of one number
   headers.push_back(templates::kSinCosOfLanes);
@@ -93,6 +98,8 @@ std::string print_for_arrays(const EmissionContext& context, Adaptation own) {
                         {"NAME", name_in_capitals(context)},
                         {"real", number_type(context)},
                         {"wide", fmt::format("defined({})", wide)},
+                        {"groups", adapt_declarations(templates::kGroupsOfAngles,
+                                                      make_group_adaptation(context))},
                         {"fours", print_steps_in_lanes(context, "fours", "4")},
                         {"eights", print_steps_in_lanes(context, "eights", "8")}});
 }
@@ -127,7 +134,8 @@ std::string print_sines_in_lanes() {
       {"remainder_in_double", templates::kRemainderInDouble},
       {"remainder_in_float", templates::kRemainderInFloat},
       {"sin_cos_in_double", templates::kSinCosInDouble},
-      {"sin_cos_in_float", templates::kSinCosInFloat}};
+      {"sin_cos_in_float", templates::kSinCosInFloat},
+      {"groups_of_angles", templates::kGroupsOfAngles}};
   // `real` stays: there it is the number type of lanes.
   const Adaptation own{Language::cpp, "", "", {{"TL_INLINE", "TREELINE_STEP"}}};
   std::string text(core_headers::kSinCos);

@@ -129,29 +129,16 @@ struct VectorLanes {
   }
 };
 
+#if defined(__AVX512F__)
+inline constexpr int kDoublesAtOnce = 8;
+#else
+inline constexpr int kDoublesAtOnce = 4;
+#endif
 #if defined(__AVX__)
 inline constexpr int kFloatsAtOnce = 8;
 #else
 inline constexpr int kFloatsAtOnce = 4;
 #endif
-
-/// As many angles of one state as are computed at once. Four doubles are faster than eight even
-/// where eight fit a register.
-template <class Real>
-inline constexpr int kAnglesAtOnce = sizeof(Real) == sizeof(double) ? 4 : kFloatsAtOnce;
-
-/// The first `count` of `width` numbers; the lanes left over repeat the first.
-template <int count, int width, class Real>
-TREELINE_INLINE_LANES void load_angles(const Real* from,
-                                       typename VectorLanes<Real, width>::Value& value) noexcept {
-  static_assert(count == width || (count < width && width == 4));
-  if constexpr (count == width) {
-    __builtin_memcpy(&value, from, sizeof(value));
-  } else {
-    using Value = typename VectorLanes<Real, width>::Value;
-    value = Value{from[0], from[count > 1 ? 1 : 0], from[count > 2 ? 2 : 0], from[0]};
-  }
-}
 #else
 #define TREELINE_INLINE_LANES inline
 #endif
@@ -206,8 +193,6 @@ struct Sines<Lanes, float> : QuarterTurns<Lanes> {
 #include "emitted/sin_cos_in_float.h"
 };
 
-#undef TL_INLINE
-
 /// Sine and cosine in double or float on one lane or several.
 template <class Lanes>
 TREELINE_INLINE_LANES void sin_cos_steps(const typename Lanes::Value& x,
@@ -237,54 +222,55 @@ inline void sin_cos(float x, float& sine, float& cosine) noexcept {
 }
 
 #if defined(TREELINE_HAS_LANES)
-/// `count` angles from `x` on in `width` lanes.
-template <int count, int width, class Real>
-TREELINE_INLINE_LANES void sin_cos_group(const Real* x, Real* sine, Real* cosine) noexcept {
-  using Group = VectorLanes<Real, width>;
-  typename Group::Value angle;
-  typename Group::Value s;
-  typename Group::Value c;
-  load_angles<count, width>(x, angle);
-  sin_cos_steps<Group>(angle, s, c);
-  __builtin_memcpy(sine, &s, count * sizeof(Real));
-  __builtin_memcpy(cosine, &c, count * sizeof(Real));
-}
+/// Groups of angles side by side.
+template <class Number>
+struct SineGroups {
+  using real = Number;
+  static constexpr int TL_ANGLES_AT_ONCE =
+      sizeof(real) == sizeof(double) ? kDoublesAtOnce : kFloatsAtOnce;
 
-/// `count` angles from `x` on, as many at once as may be, what is left over in four lanes.
-template <int count, class Real>
-TREELINE_INLINE_LANES void sin_cos_groups(const Real* x, Real* sine, Real* cosine) noexcept {
-  constexpr int kAtOnce = kAnglesAtOnce<Real>;
-  constexpr int kWhole = count - count % kAtOnce;
-  for (int i = 0; i < kWhole; i += kAtOnce) {
-    sin_cos_group<kAtOnce, kAtOnce>(x + i, sine + i, cosine + i);
+  TL_INLINE void tl_sin_cos_of(real x, real* sine, real* cosine) {
+    sin_cos_steps<OneLane<real>>(x, *sine, *cosine);
   }
-  constexpr int kLeft = count - kWhole;
-  constexpr int kFour = kLeft > 4 ? 4 : kLeft;
-  if constexpr (kFour > 0) {
-    sin_cos_group<kFour, 4>(x + kWhole, sine + kWhole, cosine + kWhole);
+  TL_INLINE void tl_fours_sin_cos(const real* x, real* sine, real* cosine) {
+    take_group<4>(x, sine, cosine);
   }
-  if constexpr (kLeft > kFour) {
-    constexpr int kLast = kWhole + kFour;
-    sin_cos_group<kLeft - kFour, 4>(x + kLast, sine + kLast, cosine + kLast);
+  TL_INLINE void tl_eights_sin_cos(const real* x, real* sine, real* cosine) {
+    take_group<8>(x, sine, cosine);
   }
-}
+
+#include "emitted/groups_of_angles.h"
+
+ private:
+  template <int width>
+  TL_INLINE void take_group(const real* x, real* sine, real* cosine) {
+    using Group = VectorLanes<real, width>;
+    typename Group::Value angle;
+    typename Group::Value s;
+    typename Group::Value c;
+    __builtin_memcpy(&angle, x, sizeof(angle));
+    sin_cos_steps<Group>(angle, s, c);
+    __builtin_memcpy(sine, &s, sizeof(s));
+    __builtin_memcpy(cosine, &c, sizeof(c));
+  }
+};
 
 template <int N, class Real>
 __attribute__((noinline)) void sin_cos_apart(const Real (&x)[N], Real (&sine)[N],
                                              Real (&cosine)[N]) noexcept {
-  sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
+  SineGroups<Real>::tl_sin_cos(N, &x[0], &sine[0], &cosine[0]);
 }
 
-/// Sines and cosines of N angles, a group to a vector, the last one padded; the same bits as the
-/// scalar function under -ffp-contract=off. The arrays must not overlap. Of many angles the loop
-/// stays a loop, apart: a caller with that many joints is long, and bound by its bytes.
+/// Sines and cosines of N angles, a group to a vector; the same bits as the scalar function under
+/// -ffp-contract=off. The arrays must not overlap. Of many angles the loop stays a loop, apart: a
+/// caller with that many joints is long, and bound by its bytes.
 template <int N, class Real>
 inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noexcept {
   constexpr int kMany = 16;
   if constexpr (N > kMany) {
     sin_cos_apart(x, sine, cosine);
   } else {
-    sin_cos_groups<N>(&x[0], &sine[0], &cosine[0]);
+    SineGroups<Real>::tl_sin_cos(N, &x[0], &sine[0], &cosine[0]);
   }
 }
 #else
@@ -296,6 +282,7 @@ inline void sin_cos(const Real (&x)[N], Real (&sine)[N], Real (&cosine)[N]) noex
 }
 #endif
 
+#undef TL_INLINE
 #undef TREELINE_INLINE_BITS
 #undef TREELINE_INLINE_LANES
 #undef TREELINE_HAS_LANES

@@ -296,7 +296,11 @@ void expect_all_widths_match() {
   expect_lanes_match<4, Real>(random);
   expect_lanes_match<5, Real>(random);
   expect_lanes_match<6, Real>(random);
+  expect_lanes_match<7, Real>(random);
   expect_lanes_match<8, Real>(random);
+  expect_lanes_match<11, Real>(random);
+  expect_lanes_match<15, Real>(random);
+  expect_lanes_match<17, Real>(random);
   expect_lanes_match<24, Real>(random);
   expect_lanes_match<59, Real>(random);
 }
