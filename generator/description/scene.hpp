@@ -50,8 +50,9 @@ enum class Sines { computed, given };
 enum class Accuracy { best, balanced, fastest };
 
 /// Answer of functions where rows of a task cannot be moved. With `smooth` a row yields (see
-/// `TaskLaw`). With `exact` a bare solve gives values that are not finite there.
-enum class SingularTasks { smooth, exact };
+/// `TaskLaw`), with `early` somewhat farther from there. With `exact` a bare solve
+/// gives values that are not finite there.
+enum class SingularTasks { smooth, exact, early };
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
 /// `axes` are those in which its rows (linear over angular) are expressed; the reference point is

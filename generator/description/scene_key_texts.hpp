@@ -151,11 +151,11 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "`parameters: all`, `base` or `none`; `links`, `payload`, `rotors`, `friction`, `width`",
      "all parameters of all links", "regressor: {parameters: base, rotors: true, friction: true}",
      "Which columns regressors have.", "explanation/parameters.md"},
-    {"singular", "`smooth` or `exact`", "`smooth`", "singular: exact",
+    {"singular", "`smooth`, `early` or `exact`", "`smooth`", "singular: early",
      "What happens if a row of the task cannot be moved. `smooth`: the row is relaxed and every "
-     "result stays finite. `exact`: the plain solve. Rows of `constraints` may depend on each "
-     "other "
-     "in either.",
+     "result stays finite. `early`: relaxed a little before, where joints would be thrown, as in "
+     "the law of a `controller`. `exact`: the plain solve. Rows of `constraints` may depend on "
+     "each other in any.",
      "explanation/singularities.md"},
     {"damped", "`{mass, inertia}`, kg and kg m²", "none", "damped: {mass: 40, inertia: 4}",
      "Adds `NAME_damped.hpp`, whose `damped_control_torque` relaxes directions of the task with "

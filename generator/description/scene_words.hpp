@@ -52,7 +52,7 @@ inline const std::vector<std::string>& words_of<Sines>() {
 }
 template <>
 inline const std::vector<std::string>& words_of<SingularTasks>() {
-  static const std::vector<std::string> words = {"smooth", "exact"};
+  static const std::vector<std::string> words = {"smooth", "exact", "early"};
   return words;
 }
 

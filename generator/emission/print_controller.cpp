@@ -20,8 +20,7 @@ std::string print_step_call(const EmissionContext& context, const Program& progr
   const std::string list = join_arguments(program, [&](const Argument& argument, const char*) {
     const std::string variable = variable_of(argument.name);
     if (!variable.empty()) return variable;
-    const std::string from = is_led(argument.name) ? "state->" : "input->";
-    return argument.name == "f_ext" && !forces.empty() ? forces : from + argument.name;
+    return argument.name == "f_ext" && !forces.empty() ? forces : "state->" + argument.name;
   });
   return print_own_call(context, program, list);
 }
@@ -48,14 +47,14 @@ std::string print_finite(const std::vector<Argument>& inputs) {
 /// Statements that lead what describes the robot to what it has become.
 std::string print_adopt(const std::vector<Argument>& inputs) {
   std::string text;
+  if (std::any_of(inputs.begin(), inputs.end(),
+                  [](const Argument& each) { return is_led(each.name); })) {
+    text =
+        "const real share = tl_adopted_share(config->period, config->fade, state->posed == 0);\n";
+  }
   for (const Argument& argument : inputs) {
-    if (!is_led(argument.name)) continue;
-    if (text.empty()) {
-      text =
-          "const real share = tl_adopted_share(config->period, config->fade, state->posed == 0);\n";
-    }
-    text += fmt::format("tl_lead_to(&input->{0}[0], {1}, share, &state->{0}[0]);\n", argument.name,
-                        argument.rows * argument.cols);
+    text += fmt::format("tl_lead_to(&input->{0}[0], {1}, {2}, &state->{0}[0]);\n", argument.name,
+                        argument.rows * argument.cols, is_led(argument.name) ? "share" : "TL_ONE");
   }
   return print_body({"config", "input", "state"}, text);
 }

@@ -31,9 +31,9 @@ std::string print_commented(const std::string& declaration, const std::string& m
 std::string print_led_inputs(const EmissionContext& context, const ControllerUnit& unit) {
   std::string text;
   for (const Argument& argument : list_inputs(unit)) {
-    if (!is_led(argument.name)) continue;
-    text += fmt::format("{}_number {}[{}]; /* led to the input's */\n", context.name, argument.name,
-                        argument.rows * argument.cols);
+    text += fmt::format("{}_number {}[{}]; /* {} */\n", context.name, argument.name,
+                        argument.rows * argument.cols,
+                        is_led(argument.name) ? "led to the input's" : "the input's last finite");
   }
   return text;
 }

@@ -129,8 +129,10 @@ std::vector<ControllerUnit::Joint> list_joints(const Robot& robot, const Scene& 
 
 }  // namespace
 
-ControllerUnit compose_controller(const Robot& robot, const Scene& scene,
+ControllerUnit compose_controller(const Robot& robot, const Scene& given,
                                   const Mechanism& mechanism) {
+  Scene scene = given;
+  scene.singular = SingularTasks::early;  // so that joints are not thrown
   ControllerUnit unit;
   unit.settings = *scene.controller;
   unit.joints = list_joints(robot, scene, mechanism);

@@ -58,8 +58,7 @@ TL_INLINE bool tl_is_rotation(const real* R) {
 }
 
 /// Begins the law of the task, where it is not the law already: all points but `led`,
-/// -1 for none, hold their present poses, the posture is where the joints were led
-/// last.
+/// -1 for none, come to rest, the posture is where the joints were led last.
 TL_INLINE void tl_enter_task(
     const TlConfig* config, const TlMeasured* at, int32_t led, TlState* state) {
   if (state->law != TL_TASK_LAW) {
@@ -70,7 +69,7 @@ TL_INLINE void tl_enter_task(
     tl_copy_numbers(&state->joint_motion[0], TL_JOINTS, &state->posture[0]);
     for (int32_t point = 0; point < TL_POINTS; ++point) {
       if (point != led) {
-        tl_hold_point(config, at, point, state);
+        tl_stop_point(config, at, point, state);
       }
     }
 #if TL_BEHAVES
@@ -225,6 +224,9 @@ TL_INLINE void tl_begin_compliance(const TlConfig* config, const TlInput* input,
   tl_start_holding(config, input, state);
 #if TL_TASK
   tl_enter_task(config, at, -1, state);
+  for (int32_t point = 0; point < TL_POINTS; ++point) {
+    tl_hold_point(config, at, point, state);
+  }
 #else
   (void)at;
 #endif

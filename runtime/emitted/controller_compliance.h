@@ -44,10 +44,8 @@ TL_INLINE real tl_guard_range(
 /// stop before the end of its range to which it moves, see tl_stop_way.
 TL_INLINE real tl_share_of_speed(
     const TlConfig* config, const TlMeasured* at, int32_t i) {
-  const real qd = at->qd[i];
-  const real speed = tl_magnitude(qd);
-  const real room =
-      (qd > TL_ZERO) ? (config->upper[i] - at->q[i]) : (at->q[i] - config->lower[i]);
+  const real speed = tl_magnitude(at->qd[i]);
+  const real room = tl_room_ahead(config, at, i);
   const real way = TL_REAL(0.72) * config->speed_rise * speed * speed;
   const real by_limit = speed / config->speed[i];
   const real by_range = (way < (config->speed[i] * room))

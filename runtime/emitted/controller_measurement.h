@@ -24,13 +24,12 @@ TL_INLINE void tl_complete_joint(const TlConfig* config, const TlInput* input,
 
 /// Fills in the state to compute with, of which `at` has the velocities: what was
 /// measured, where all of it was `seen`.
-/// Returns whether there is one: every coordinate has been measured, now or before,
-/// and the arguments that change the robot are finite.
+/// Returns whether there is one: every coordinate, and what describes the robot, has
+/// been told, now or before.
 TL_INLINE bool tl_complete_state(const TlConfig* config, const TlInput* input,
     bool seen, TlState* state, TlMeasured* at) {
-  const bool known = seen ||
-      (((state->posed != 0) || tl_are_numbers(&input->q[0], TL_JOINTS)) &&
-          tl_inputs_are_numbers(input));
+  const bool known = seen || (state->posed != 0) ||
+      (tl_are_numbers(&input->q[0], TL_JOINTS) && tl_inputs_are_numbers(input));
   if (known) {
     bool lost = false;
     for (int32_t i = 0; i < TL_JOINTS; ++i) {
@@ -50,4 +49,11 @@ TL_INLINE bool tl_complete_state(const TlConfig* config, const TlInput* input,
     tl_measure(input, state, at);
   }
   return known;
+}
+
+/// How far a joint may still go as it moves now.
+TL_INLINE real tl_room_ahead(
+    const TlConfig* config, const TlMeasured* at, int32_t i) {
+  return (at->qd[i] > TL_ZERO) ? (config->upper[i] - at->q[i])
+                               : (at->q[i] - config->lower[i]);
 }

@@ -81,11 +81,14 @@ TL_INLINE void tl_clear_numbers(int32_t count, real* x) {
 }
 
 /// Leads numbers that describe the robot a share nearer to what they have become; at
-/// once where a way so long has left numbers behind that are none.
+/// once where a way so long has left numbers behind that are none. They stay what
+/// they were where one of them is lost.
 TL_INLINE void tl_lead_to(const real* now, int32_t count, real share, real* led) {
+  const bool sound = tl_are_numbers(now, count);
   for (int32_t i = 0; i < count; ++i) {
     const real nearer = led[i] + (share * (now[i] - led[i]));
-    led[i] = ((share < TL_ONE) && tl_is_number(nearer)) ? nearer : now[i];
+    const real next = ((share < TL_ONE) && tl_is_number(nearer)) ? nearer : now[i];
+    led[i] = sound ? next : led[i];
   }
 }
 

@@ -39,11 +39,9 @@ TL_INLINE bool tl_meets_limit(const TlConfig* config, const TlMeasured* at) {
   const real duration = tl_stop_duration(config, at);
   bool meets = false;
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
-    const real onward = tl_stop_way(duration, at->qd[i]);
+    const real onward = tl_magnitude(tl_stop_way(duration, at->qd[i]));
     const real slack = TL_REAL(0.5) * config->position_margin;
-    const real room = (onward > TL_ZERO) ? (config->upper[i] - at->q[i])
-                                         : (at->q[i] - config->lower[i]);
-    meets = meets || (tl_magnitude(onward) > (room + slack));
+    meets = meets || (onward > (tl_room_ahead(config, at, i) + slack));
   }
   return meets;
 }

@@ -23,7 +23,8 @@ TL_INLINE bool tl_is_pressing(const TlState* state, int32_t point) {
 }
 #endif
 
-/// Seconds that all joints take to stop without turning back.
+/// Seconds that all joints take to stop without turning back, by half of their
+/// torque.
 TL_INLINE real tl_stop_duration(const TlConfig* config, const TlMeasured* at) {
   real duration = config->period;
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
@@ -34,29 +35,42 @@ TL_INLINE real tl_stop_duration(const TlConfig* config, const TlMeasured* at) {
   return duration;
 }
 
-/// How far a joint still goes in a stop that does not turn back: a quintic whose
-/// first coefficient is 0.
+/// How far a joint still goes in a stop whose acceleration begins with zero.
 TL_INLINE real tl_stop_way(real duration, real speed) {
   return TL_REAL(0.4) * duration * speed;
 }
 
+/// A shorter duration of a stop, down to half of it, where a joint has less room: it
+/// goes at least a fifth of speed times duration.
+TL_INLINE real tl_stop_within_room(
+    const TlConfig* config, const TlMeasured* at, real duration) {
+  real taken = duration;
+  for (int32_t i = 0; i < TL_JOINTS; ++i) {
+    const real least = TL_REAL(5.0) * tl_room_ahead(config, at, i);
+    const real way = taken * tl_magnitude(at->qd[i]);
+    taken = (way > least) ? (least / tl_magnitude(at->qd[i])) : taken;
+  }
+  return tl_larger(taken, TL_REAL(0.5) * duration);
+}
+
 /// Leads the joints from their present motion to rest as soon as they may, without
-/// turning back, and within their limits of position.
+/// turning back, and within their limits of position: by quintics whose first
+/// coefficient is 0.
 TL_INLINE void tl_stop_joints(
     const TlConfig* config, const TlMeasured* at, TlState* state) {
-  const real duration = tl_stop_duration(config, at);
-  real still[TL_JOINTS];
+  const real duration = tl_stop_within_room(config, at, tl_stop_duration(config, at));
+  real slower[TL_JOINTS];
   real end[TL_JOINTS];
   for (int32_t i = 0; i < TL_JOINTS; ++i) {
-    const real q = at->q[i];
-    const real onward = q + tl_stop_way(duration, at->qd[i]);
-    const real most = tl_larger(q, config->upper[i]);
-    const real least = tl_smaller(q, config->lower[i]);
-    const real above = (onward < least) ? least : onward;
-    end[i] = (onward > most) ? most : above;
-    still[i] = TL_ZERO;
+    const real v = at->qd[i];
+    const real room = tl_larger(tl_room_ahead(config, at, i), TL_ZERO);
+    const real way = tl_within(tl_stop_way(duration, v), room);
+    end[i] = at->q[i] + way;
+    slower[i] = tl_within(((TL_REAL(20.0) * way / duration) - (TL_REAL(8.0) * v)),
+                    TL_REAL(4.0) * tl_magnitude(v)) /
+        duration;
   }
-  tl_quintic_to_rest(TL_JOINTS, &at->q[0], &at->qd[0], &still[0], &end[0], duration,
+  tl_quintic_to_rest(TL_JOINTS, &at->q[0], &at->qd[0], &slower[0], &end[0], duration,
       &state->joint_motion[0]);
   state->joint_rate = TL_ONE / duration;
   state->joint_ticks = 0;
@@ -160,6 +174,27 @@ TL_INLINE void tl_hold_point(
       config, &now, &now.position[0], &now.rotation[0], config->period, point, state);
 }
 
+/// Leads a point from its present motion to rest as soon as the joints may; holds it
+/// where it is if it stands.
+TL_INLINE void tl_stop_point(
+    const TlConfig* config, const TlMeasured* at, int32_t point, TlState* state) {
+  const real duration = tl_stop_duration(config, at);
+  TlPointMotion now;
+  real position[3];
+  real turn[3];
+  real turned[9];
+  real rotation[9];
+  tl_measured_motion(at, point, &now);
+  for (int32_t i = 0; i < 3; ++i) {
+    position[i] = now.position[i] + tl_stop_way(duration, now.velocity[i]);
+    turn[i] = tl_stop_way(duration, now.velocity[3 + i]);
+  }
+  tl_rotation_from_vector(&turn[0], &turned[0]);
+  tl_turn_by(&turned[0], &now.rotation[0], &rotation[0]);
+  (void)tl_move_point(
+      config, &now, &position[0], &rotation[0], duration, point, state);
+}
+
 #if TL_BEHAVES
 /// Share to which the present behaviour does the task of a point, in the end.
 TL_INLINE real tl_wanted_share(
@@ -188,8 +223,8 @@ TL_INLINE void tl_take_shares(const TlConfig* config, TlState* state) {
 }
 
 /// Moves the shares on by one step. The reference of a point whose task is not done
-/// at all is where the point is, so that it is held there when a behaviour takes it
-/// up.
+/// at all is where the point comes to rest, so that it is held there when a behaviour
+/// takes it up.
 TL_INLINE void tl_lead_shares(
     const TlConfig* config, const TlMeasured* at, TlState* state) {
   const real left = tl_share_left(
@@ -202,7 +237,7 @@ TL_INLINE void tl_lead_shares(
       state->active_tasks[share] =
           wanted + (before * (state->share_from[share] - wanted));
       if (!(state->active_tasks[share] > TL_ZERO)) {
-        tl_hold_point(config, at, point, state);
+        tl_stop_point(config, at, point, state);
       }
     }
   }

@@ -112,6 +112,31 @@ TEST(ControllerRows, LeadTheTorqueToAnotherPayload) {
   EXPECT_LT(std::fabs(told.state.held[4] - mobile.state.held[4]), 1e-3);
 }
 
+/// Would catch: an arm whose joints are all measured, and which is let go since a number of its
+/// payload, or of a force that is known, stays lost.
+TEST(ControllerRows, HoldWithTheLastPayloadAndForceThatWereTold) {
+  for (const bool payload : {true, false}) {
+    Mobile mobile;
+    mobile.input.command.kind = SAMM_ARM_START;
+    mobile.input.command.sequence = 1;
+    mobile.run(1000);
+    const samm_arm_input sound = mobile.input;
+    double qdd[n];
+    for (int k = 0; k < 1000; ++k) {
+      (payload ? mobile.input.payload[3] : mobile.input.f_ext[2]) = std::nan("");
+      samm_arm_step(&mobile.config, &mobile.state, &mobile.input, &mobile.output);
+      samm_arm::forward_dynamics(mobile.input.q, mobile.input.qd, mobile.output.tau, sound.f_ext,
+                                 sound.payload, qdd);
+      for (int i = 0; i < n; ++i) {
+        mobile.input.qd[i] += mobile.config.period * qdd[i];
+        mobile.input.q[i] += mobile.config.period * mobile.input.qd[i];
+      }
+    }
+    EXPECT_EQ(mobile.output.faults, static_cast<unsigned>(SAMM_ARM_FAULT_MEASUREMENT));
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(mobile.input.q[i], sound.q[i], 1e-6) << i;
+  }
+}
+
 /// Would catch: a robot that rests, of which nothing can be computed any more since the payload is
 /// told so, whose torque is taken away without a fault and without brakes.
 TEST(ControllerRows, BrakeWherePayloadsMakeTorquesInfinite) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,28 @@ TEST(BoundedInverse, OfFloatStaysInItsRange) {
       EXPECT_NEAR(static_cast<double>(g * c), 1, 1e-6) << ordinary;
     }
   }
+}
+
+/// The most that joints move for a motion of the task of size 1, where pivots of ordinary states
+/// are 1: 1/c for a Jacobian, 1/sqrt(c) for an inverse inertia, of what is followed.
+double most_of_joints(const BoundedInverseShape& shape, double power_of_c) {
+  double most = 0;
+  for (double c = 1; c > 1e-9; c *= 0.99) {
+    most = std::max(most, std::pow(c, power_of_c) * bounded_inverse(c, shape.share, shape.power));
+  }
+  return most;
+}
+
+// Would catch: an early law that asks joints for as much as `smooth`, hundreds of times an ordinary
+// speed, and a float's that yields later than a double's.
+TEST(BoundedInverse, EarlyAsksJointsForLess) {
+  constexpr auto kEarly = SingularTasks::early;
+  for (const Real real : {Real::float32, Real::float64}) {
+    EXPECT_LT(most_of_joints(inverse_inertia_shape(real, kEarly), 0.5), 60);
+    EXPECT_LT(most_of_joints(jacobian_shape(real, kEarly), 0), 90);
+  }
+  EXPECT_GT(most_of_joints(inverse_inertia_shape(Real::float64), 0.5), 200);
+  EXPECT_GT(most_of_joints(jacobian_shape(Real::float64), 0), 600);
 }
 
 // Rounded products of rotations move the second row by 3e-17 where others move by 1. Would catch an

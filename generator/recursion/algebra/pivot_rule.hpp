@@ -25,15 +25,19 @@ struct BoundedInverseShape {
 /// thousandth (float: a thirtieth) of its ordinary value, that is, about 2 (10) degrees from a
 /// singularity. The larger power costs one operation; in float it would exceed the range of numbers
 /// for small robots.
-constexpr BoundedInverseShape inverse_inertia_shape(Real real) {
-  return real == Real::float32 ? BoundedInverseShape{4, 0x1p-11, 0x1p-31}
-                               : BoundedInverseShape{6, 0x1p-17, 0x1p-170};
+/// With `early` the border is at least 2^-13 of what is ordinary: joints move at most some fifty
+/// times as fast for a motion of the task as in an ordinary state.
+constexpr BoundedInverseShape inverse_inertia_shape(Real real,
+                                                    SingularTasks tasks = SingularTasks::smooth) {
+  if (real == Real::float32) return {4, 0x1p-11, 0x1p-31};
+  return {6, tasks == SingularTasks::early ? 0x1p-13 : 0x1p-17, 0x1p-170};
 }
 
 /// Shape for pivots of a Jacobian, which fall as the distance from a singularity.
-constexpr BoundedInverseShape jacobian_shape(Real real) {
-  return real == Real::float32 ? BoundedInverseShape{6, 0x1p-7, 0x1p-21}
-                               : BoundedInverseShape{8, 0x1p-10, 0x1p-127};
+constexpr BoundedInverseShape jacobian_shape(Real real,
+                                             SingularTasks tasks = SingularTasks::smooth) {
+  if (real == Real::float32) return {6, 0x1p-7, 0x1p-21};
+  return {8, tasks == SingularTasks::early ? 0x1p-7 : 0x1p-10, 0x1p-127};
 }
 
 /// From this border on, which only bodies of milligrams have, powers of c exceed the range of

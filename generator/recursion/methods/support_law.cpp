@@ -86,7 +86,8 @@ SupportRules support_rules(const Mechanism& mechanism) {
   if (rules.passive_moves && rules.held > 0) {
     rules.locked = {shape.power, states.locked().borders(shape)};
   }
-  rules.rows = {shape.power, states.rows(rules).borders(shape)};
+  rules.rows = {shape.power, states.rows(rules).borders(
+                                 inverse_inertia_shape(mechanism.real, mechanism.singular))};
   const auto free = always_free(states.tree());
   for (std::size_t k = 0; k < rules.rows.borders.size(); ++k) {
     const bool exact = mechanism.singular == SingularTasks::exact;

@@ -199,23 +199,40 @@ std::vector<LawFrame> law_frames(const TaskLaw& law, const std::vector<double>& 
   return frames;
 }
 
+/// Shares of what is ordinary, in words: below the first a row yields, above the other it is exact.
+struct YieldWords {
+  const char *yields, *exact;
+};
+
+YieldWords words_of_inertia(bool single, bool early) {
+  if (single) return {"5e-4", "3e-2"};
+  return early ? YieldWords{"1e-4", "2e-2"} : YieldWords{"8e-6", "1e-3"};
+}
+
+YieldWords words_of_jacobian(bool single, bool early) {
+  if (single) return {"8e-3", "0.2"};
+  return early ? YieldWords{"8e-3", "0.25"} : YieldWords{"1e-3", "0.03"};
+}
+
 std::string describe(const TaskLaw& law) {
   const bool single = law.mechanism->real == Real::float32;
+  const bool early = law.mechanism->singular == SingularTasks::early;
+  const YieldWords inertia = words_of_inertia(single, early);
+  const YieldWords jacobian = words_of_jacobian(single, early);
   switch (law.kind) {
     case TaskLaw::Kind::inverse_inertia:
     case TaskLaw::Kind::grasp_forces:
       return fmt::format(
           "finite everywhere; a row that those before it leave nothing to move with yields, "
           "smoothly and alone, where its inverse inertia falls below {} of what is ordinary, and "
-          "is "
-          "exact to rounding above {}.",
-          single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
+          "is exact to rounding above {}.",
+          inertia.yields, inertia.exact);
     case TaskLaw::Kind::jacobian:
       return fmt::format(
           "finite everywhere; at the elbow, overhead and at the wrist's lock one direction yields, "
           "smoothly, where its pivot falls below {} of what is ordinary, and is exact to rounding "
           "above {}.",
-          single ? "8e-3" : "1e-3", single ? "0.2" : "0.03");
+          jacobian.yields, jacobian.exact);
     case TaskLaw::Kind::priorities:
       return "finite everywhere; a row that those before it leave 2^-13 of what its point has "
              "yields, smoothly and alone.";
@@ -226,7 +243,7 @@ std::string describe(const TaskLaw& law) {
           "nothing to move with yields, smoothly and alone, where its inverse inertia falls below "
           "{} of what is ordinary, and is exact to rounding above {}. Constraints that cannot "
           "carry the motion leave part of it to forces that tau lacks.",
-          single ? "5e-4" : "8e-6", single ? "3e-2" : "1e-3");
+          inertia.yields, inertia.exact);
     case TaskLaw::Kind::eliminated:
       return fmt::format(
           "finite everywhere; where passive joints do not follow the others, one of them does not "
@@ -251,7 +268,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::find(TaskLaw::Kind kind, LawPoints poin
   const Key key{kind, points, basis.in_link_axes, basis.at_link_origin, basis.axes_link};
   auto& found = found_[key];
   if (found) return found;
-  const BoundedInverseShape shape = inverse_inertia_shape(mechanism_->real);
+  const BoundedInverseShape shape = inverse_inertia_shape(mechanism_->real, mechanism_->singular);
   TaskLaw law;
   law.kind = kind;
   law.points = points;
@@ -273,7 +290,7 @@ std::shared_ptr<const TaskLaw> TaskLaws::resolved(int axes_link) {
   const auto wrist = order_wrist_pivots(*mechanism_);
   const double inverse_square = inverse_square_of_forearm(*mechanism_);
   if (!lone_row || !wrist || inverse_square == 0) return nullptr;
-  const BoundedInverseShape shape = jacobian_shape(mechanism_->real);
+  const BoundedInverseShape shape = jacobian_shape(mechanism_->real, mechanism_->singular);
   TaskLaw law;
   law.kind = TaskLaw::Kind::jacobian;
   law.mechanism = mechanism_;

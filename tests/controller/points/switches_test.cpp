@@ -122,5 +122,30 @@ TYPED_TEST(Switches, OfEveryPairEndInNoFault) {
   }
 }
 
+// A tool that moves while it is told to press is led to rest from its motion, as by every other
+// command. Would catch: a reference that stands at once, which the tool is thrown back to.
+TEST(SwitchesOfATool, LeadItOnWhereItBeginsToPress) {
+  std::mt19937 rng(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < 60; ++k) {
+    Puma robot({}, {0, -0.9, 0.6, 0, 0.5, 0});
+    robot.run(0.02);
+    robot.send(kStart);
+    robot.run(0.05);
+    auto& command = robot.input.command;
+    for (std::size_t i = 0; i < Puma::n; ++i) command.goal[i] = robot.q[i] + unit(rng);
+    command.duration = 1;
+    robot.send(PUMA_POINTS_MOVE_JOINTS);
+    robot.run(0.5);
+    command.direction[2] = -1;
+    command.force = 10;
+    robot.send(PUMA_POINTS_PRESS);
+    robot.step();
+    ASSERT_EQ(robot.output.refused, 0);
+    robot.run(0.3);
+    EXPECT_EQ(robot.output.faults, 0U) << k;
+  }
+}
+
 }  // namespace
 }  // namespace treeline::tests
