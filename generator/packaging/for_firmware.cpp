@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "description/read_keys.hpp"
 #include "emission/controller_unit.hpp"
 #include "emission/emitted_text.hpp"
 #include "generation/describe_scene.hpp"
@@ -19,6 +20,9 @@ namespace templates = package_templates;
 
 /// How far the simulated arm is led, rad or m.
 constexpr double kWay = 0.2;
+
+/// Identifiers from 0x310, of goals, to 0x380, of the status.
+constexpr int kMostJoints = 0x380 - 0x310;
 
 /// Numbers as an array in C has them.
 std::string list_numbers(const Scene& scene, const std::vector<double>& numbers) {
@@ -93,7 +97,7 @@ std::vector<PackageFolder> for_firmware(PackageFacts facts, const Robot& robot, 
         fill("port_qemu.c", templates::kFirmwarePortQemu)}}};
 }
 
-void refuse_for_firmware(const Robot& /*robot*/, const Scene& scene, Diagnostics& diagnostics) {
+void refuse_for_firmware(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
   const auto refuse = [&](bool applies, const char* key, const char* fault, const char* remedy) {
     if (applies) diagnostics.add({Severity::error, scene.file, 0, key, fault, remedy});
   };
@@ -112,6 +116,10 @@ void refuse_for_firmware(const Robot& /*robot*/, const Scene& scene, Diagnostics
          "Leave them out, or leave --package out.");
   refuse(!scene.external_forces.empty(), "external_forces",
          "the arm that port_qemu.c simulates has none", "Leave them out, or leave --package out.");
+  const auto driven = [&](const Joint& joint) { return is_driven(joint, scene); };
+  refuse(std::count_if(robot.joints.begin(), robot.joints.end(), driven) > kMostJoints,
+         "controller", "frames of its CAN bus have identifiers for 112 joints, and there are more",
+         "Lock some, or leave --package out.");
   refuse(scene.sin_cos == Sines::given, "sin_cos",
          "the arm that port_qemu.c simulates has no sines to give", "Leave it out.");
 }

@@ -2,6 +2,7 @@
 // says. Would catch: files that do not compile, an arm that never moves, a watchdog that is kicked
 // by a late step or bites without one, frames that lose a sign, and scenes that it cannot be made
 // of.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -89,13 +90,13 @@ TEST_F(FirmwarePackage, MovesAnArmInTime) {
 TEST_F(FirmwarePackage, LosesNoCommandAndMovesToNoGoalThatDidNotCome) {
   const Outcome made = generate_package(kScene, "--target cortex-m4f --warnings none");
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  change("port_qemu.c", "ARM_STOP, 0);",
-         "ARM_STOP, 0), leave(PORT_FRONT_END, 0x300, 4, ARM_KEEP_ALIVE, 0);");
+  change("port_qemu.c", "leave_command(ARM_STOP, 0);",
+         "leave_command(ARM_STOP, 0), leave_command(ARM_KEEP_ALIVE, 0);");
   const std::string stopped = run();
   EXPECT_NE(stopped.find("mode: 1\nfaults: 0\nmode: 0\n"), std::string::npos) << stopped;
 
-  change("port_qemu.c", "for (uint32_t i = 0; i < ARM_JOINTS; ++i) {\n      leave(PORT_FRONT_END",
-         "for (uint32_t i = 1; i < ARM_JOINTS; ++i) {\n      leave(PORT_FRONT_END");
+  change("port_qemu.c", "for (uint32_t i = 0; i < ARM_JOINTS; ++i) leave_goal",
+         "for (uint32_t i = 1; i < ARM_JOINTS; ++i) leave_goal");
   const std::string lacking = run();
   EXPECT_NE(lacking.find("steps: 1200\n"), std::string::npos) << lacking;
   for (const int distance : read_distances(lacking)) EXPECT_GT(distance, 100000) << lacking;
@@ -110,6 +111,22 @@ TEST_F(FirmwarePackage, TellsWhatItCannotBeMadeOf) {
     EXPECT_EQ(outcome.exit_code, 1) << scene;
     EXPECT_NE(outcome.err.find(fault), std::string::npos) << outcome.err;
   }
+  // Would catch: goals of joints in frames with the identifier of the status.
+  std::string joints = "<robot name=\"snake\"><link name=\"l0\"/>";
+  for (int i = 0; i < 113; ++i) {
+    joints += fmt::format(
+        "<link name=\"l{1}\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" "
+        "izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint name=\"j{1}\" "
+        "type=\"continuous\"><parent link=\"l{0}\"/><child link=\"l{1}\"/><limit effort=\"9\" "
+        "velocity=\"9\"/></joint>",
+        i, i + 1);
+  }
+  write_file(folder_.path() / "snake.urdf", joints + "</robot>");
+  write_file(folder_.path() / "scene.yaml", kScene);
+  const Outcome many = test::run_program(
+      folder_.path(), "generate snake.urdf scene.yaml --package firmware --target cortex-m7");
+  EXPECT_EQ(many.exit_code, 1);
+  EXPECT_NE(many.err.find("identifiers for 112 joints"), std::string::npos) << many.err;
   const Outcome outcome = generate_package(kScene, "--target rv32imfc");
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("Cortex-M"), std::string::npos) << outcome.err;
