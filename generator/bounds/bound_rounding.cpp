@@ -9,20 +9,10 @@
 
 #include "bounds/bound_sets.hpp"
 #include "bounds/quaternion_scale.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
-
-double round_up(double value, int digits) {
-  if (value == 0) return 0;
-  const double last = std::pow(10, std::floor(std::log10(value)) - (digits - 1));
-  return std::ceil(value / last * (1 - 1e-12)) * last;
-}
-
-/// Prints `value` with `digits` digits, rounded up.
-std::string rounded_up(double value, int digits = 2) {
-  return fmt::format("{:.{}e}", round_up(value, digits), digits - 1);
-}
 
 double ulps(double error, double unit, double size) {
   return std::ceil(error / (2 * unit * size));
@@ -104,8 +94,8 @@ std::string describe_proven(const RoundingBound& bound, const Program& program, 
                          : fmt::format(
                                "at most {} in {} (at {}[{}]), {:.0f} ulp of {}, the most "
                                "that {} can be",
-                               rounded_up(error[worst]), name, name, worst,
-                               ulps(error[worst], unit, largest), rounded_up(largest), name);
+                               rounded_up(error[worst], 2), name, name, worst,
+                               ulps(error[worst], unit, largest), rounded_up(largest, 2), name);
     error += count;
     size += count;
   }

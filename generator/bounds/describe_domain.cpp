@@ -8,6 +8,7 @@
 #include "bounds/domain.hpp"
 #include "description/robot_queries.hpp"
 #include "description/scene_inputs.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
@@ -109,13 +110,6 @@ std::vector<double> sizes_of(const QuantityInfo& row, const Robot& robot, const 
   }
 }
 
-/// Rounds down to four digits. A larger value would state a range in which the bound may not hold.
-double rounded_down(double value) {
-  if (value == 0) return 0;
-  const double last = std::pow(10, std::floor(std::log10(value)) - 3);
-  return std::floor(value / last * (1 + 1e-12)) * last;
-}
-
 }  // namespace
 
 std::vector<double> inertia_sizes(const std::vector<SceneInertia>& bodies) {
@@ -185,7 +179,7 @@ std::string describe(const Domain& domain, const std::vector<std::string>& argum
     const bool same = std::all_of(sizes.begin(), sizes.end(),
                                   [&sizes](double size) { return size == sizes.front(); });
     for (std::size_t i = 0; i < (same ? 1 : sizes.size()); ++i)
-      text += fmt::format(" {:.4g}", rounded_down(sizes[i]));
+      text += fmt::format(" {:.4g}", round_down(sizes[i], 4));
   }
   const auto has = [&](Quantity quantity) {
     return std::count(arguments.begin(), arguments.end(), symbol_of(quantity)) > 0;

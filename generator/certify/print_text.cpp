@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "certify/certify.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
@@ -14,8 +15,8 @@ std::string print_function(const CertifiedFunction& function, double within) {
   std::string text;
   for (const CertifiedResult& result : function.results) {
     const std::string name = text.empty() ? function.name : "";
-    text += fmt::format("{:<30} {:<16} {:>9.2e} {:>9.2e} {:>6.2f}", name, result.name,
-                        result.proven, result.stated, result.ratio());
+    text += fmt::format("{:<30} {:<16} {:>9} {:>9} {:>6.2f}", name, result.name,
+                        rounded_up(result.proven, 3), rounded_up(result.stated, 3), result.ratio());
     if (name.empty()) {
       text += "\n";
       continue;

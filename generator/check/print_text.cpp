@@ -8,6 +8,7 @@
 #include "emission/comment.hpp"
 #include "functions/function.hpp"
 #include "text/align_columns.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
@@ -19,6 +20,13 @@ std::string number(double x) {
   if (x < 0.01 || x >= 1e5) return fmt::format("{:.1e}", x);
   if (x >= 100) return fmt::format("{:.0f}", x);
   return fmt::format("{:.{}f}", x, x >= 10 ? 1 : 2);
+}
+
+/// The same of a bound, which is rounded up.
+std::string up(double x) {
+  const bool is_long = x < 0.01 || !(x < 1e5);
+  const int digits = is_long ? 2 : x < 100 ? 3 : static_cast<int>(std::log10(x)) + 1;
+  return number(round_up(x, digits));
 }
 
 std::string print_if_known(const std::optional<int>& x) {
@@ -34,14 +42,14 @@ std::string print_bound(const Bound& bound) {
                                  ? std::string()
                                  : fmt::format(" x condition of {}", matrix_symbols(bound.solve));
   return fmt::format("{:.0f} + {}{}", Bound::kFloorUlp,
-                     number(Bound::kInterpreterFactor * bound.interpreter), factor);
+                     up(Bound::kInterpreterFactor * bound.interpreter), factor);
 }
 
 /// Prints the stated rounding error, with a tilde if it is of first order.
 std::string print_rounding(const std::optional<RoundingReport>& rounding) {
   if (!rounding) return "none";
-  return rounding->kind == RoundingBound::Kind::proven ? fmt::format("{:.1e}", rounding->error)
-                                                       : fmt::format("~{:.0e}", rounding->error);
+  return rounding->kind == RoundingBound::Kind::proven ? rounded_up(rounding->error, 2)
+                                                       : "~" + rounded_up(rounding->error, 1);
 }
 
 std::string print_bits(const FunctionReport& function) {
@@ -161,7 +169,7 @@ std::string print_faults(const FunctionReport& f) {
   if (f.beyond_bound > 0) {
     add(fmt::format("beyond its bound at {} of {} states; at {} the error is {} ulp, allowed {}",
                     f.beyond_bound, f.states - f.singular, state_name(f.nearest.state),
-                    number(f.nearest.error), number(f.nearest.bound)));
+                    number(f.nearest.error), up(f.nearest.bound)));
   }
   if (f.equation && !(f.equation->worst <= EquationReport::kAllowed)) {
     add(

@@ -11,6 +11,7 @@
 #include "description/scene_queries.hpp"
 #include "generation/compose.hpp"
 #include "program/evaluate.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
@@ -101,8 +102,7 @@ std::string quantiles(std::vector<double> errors) {
   for (const double share : {0.50, 0.90, 0.99}) {
     const double at = std::ceil(share * static_cast<double>(errors.size())) - 1;
     const double error = errors[static_cast<std::size_t>(at)];
-    const double unit = error > 0 ? std::pow(10, std::floor(std::log10(error))) : 1;
-    text += fmt::format("{}{:.0e}", text.empty() ? "" : ", ", std::ceil(error / unit) * unit);
+    text += (text.empty() ? "" : ", ") + rounded_up(error, 1);
   }
   return text;
 }

@@ -6,14 +6,20 @@
 #include "emission/generated_file.hpp"
 #include "safety/evidence.hpp"
 #include "text/read_text_file.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
 
 using nlohmann::json;
 
-std::string number(const json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "unknown";
+std::string number(const json& value) {
+  return value.is_number() ? fmt::format("{:.2f}", value.get<double>()) : "unknown";
+}
+
+/// A bound, with three digits.
+std::string bound(const json& value) {
+  return value.is_number() ? fmt::format("{:g}", round_up(value.get<double>(), 3)) : "unknown";
 }
 
 std::string whole(const json& value) {
@@ -23,7 +29,7 @@ std::string whole(const json& value) {
 /// The controller's step, as `check` compares it.
 void read_step(const json& step, Evidence& evidence) {
   evidence.rows.push_back({step.at("name"),
-                           {number(step.at("worst"), "{:.2f}"), "by rounding, see the facts",
+                           {number(step.at("worst")), "by rounding, see the facts",
                             fmt::format("modes or faults: {}", whole(step.at("differ"))),
                             whole(step.at("code_bytes")), whole(step.at("stack_bytes"))}});
   evidence.facts.push_back(fmt::format(
@@ -45,7 +51,7 @@ void read_check(const json& report, Evidence& evidence) {
   for (const json& f : report.at("functions")) {
     evidence.rows.push_back(
         {f.at("name"),
-         {number(f.at("worst").at("error"), "{:.2f}"), number(f.at("worst").at("bound"), "{:.1f}"),
+         {number(f.at("worst").at("error")), bound(f.at("worst").at("bound")),
           whole(f.at("bits_differ")), whole(f.at("code_bytes")), whole(f.at("stack_bytes"))}});
   }
   if (report.contains("step") && !report.at("step").is_null()) {
@@ -85,9 +91,9 @@ void read_certificate(const json& report, Evidence& evidence) {
       evidence.rows.push_back({f.at("name"), {"none: " + f.at("skipped").get<std::string>()}});
     }
     for (const json& r : f.value("results", json::array())) {
-      evidence.rows.push_back({f.at("name"),
-                               {r.at("name"), number(r.at("proven"), "{:.2e}"),
-                                number(r.at("stated"), "{:.2e}"), whole(f.at("steps"))}});
+      evidence.rows.push_back(
+          {f.at("name"),
+           {r.at("name"), bound(r.at("proven")), bound(r.at("stated")), whole(f.at("steps"))}});
     }
     if (f.contains("failed")) {
       evidence.rows.push_back({f.at("name"), {"FAILED: " + f.at("failed").get<std::string>()}});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "description/check_scene.hpp"
+#include "text/round_outward.hpp"
 #include "trial/retry_routes.hpp"
 
 namespace treeline {
@@ -29,7 +30,8 @@ Diagnostic describe(const FailedTrial& failed, SingularTasks singular, const std
       failed.name,
       fmt::format("at state {} ({}) a result is {}, where {:.2g} ulp are allowed beside 50 "
                   "digits: the function is not written",
-                  failed.state.index, state_class_name(failed.state.kind), error, failed.bound),
+                  failed.state.index, state_class_name(failed.state.kind), error,
+                  round_up(failed.bound, 2)),
       fmt::format("{} `treeline check{} --functions {} --first {} --states 1 --json` prints the "
                   "state.",
                   cause_of(failed, singular), files, function_name(failed.function),

@@ -11,6 +11,7 @@
 #include "choice/evaluate_damped.hpp"
 #include "description/noise.hpp"
 #include "mechanism/build_mechanism.hpp"
+#include "text/round_outward.hpp"
 
 namespace treeline {
 namespace {
@@ -99,7 +100,7 @@ class Retry {
            fmt::format("by its cheapest algorithm, {}, a result is off by {:.2g} ulp of its scale "
                        "at state {}, where {:.2g} are allowed",
                        first.route, first.failed.error, first.failed.state.index,
-                       first.failed.bound),
+                       round_up(first.failed.bound, 2)),
            fmt::format("It is written by another: {}.",
                        describe(find_chosen(entry.first)->chosen.route))});
     }
@@ -135,7 +136,7 @@ void retry_as_written(const Robot& robot, const Choices& choices, TriedFunctions
   diagnostics.add({Severity::note, "", 0, first.name,
                    fmt::format("where numbers of the files are taken as exact, a result is off by "
                                "{:.2g} ulp of its scale at state {}, where {:.2g} are allowed",
-                               first.error, first.state.index, first.bound),
+                               first.error, first.state.index, round_up(first.bound, 2)),
                    "So all numbers are used as they are written, as `noise: keep` would ask for."});
   for (const Diagnostic& each : found.list()) diagnostics.add(each);
   tried = std::move(again);

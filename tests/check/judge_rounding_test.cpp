@@ -79,5 +79,20 @@ TEST(JudgeRounding, SaysWhichKindItIs) {
   EXPECT_EQ(judged.judge(Function::control_torque, 1)->kind, RoundingBound::Kind::typical);
 }
 
+// Would catch: a bound that is told smaller than it is, where the header rounds the same up.
+TEST(JudgeRounding, TellsBoundsRoundedUp) {
+  CheckReport report;
+  FunctionReport function;
+  function.name = "gravity";
+  function.rounding = RoundingReport{RoundingBound::Kind::proven, 1.21e-15};
+  function.bound.interpreter = 5.001 / Bound::kInterpreterFactor;
+  report.functions = {function};
+  const std::string told = print_text(report);
+  EXPECT_NE(told.find(" 1.3e-15 "), std::string::npos) << told;
+  EXPECT_NE(told.find("8 + 5.01 "), std::string::npos) << told;
+  report.functions[0].rounding->kind = RoundingBound::Kind::searched;
+  EXPECT_NE(print_text(report).find(" ~2e-15 "), std::string::npos) << print_text(report);
+}
+
 }  // namespace
 }  // namespace treeline::tests
