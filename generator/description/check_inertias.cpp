@@ -14,6 +14,7 @@ namespace {
 constexpr double kRoundingOfFigures = 1e-4;
 constexpr double kRoundingOfMoments =
     1e-14;  // m^2: moments of a body of so small a radius are rounding errors
+constexpr double kRoundingOfSolver = 0x1p-49;  // of the largest entry; below, a moment is 0
 constexpr std::size_t kMostNamed = 5;
 
 double largest_entry(const Inertial& inertial) {
@@ -33,8 +34,13 @@ std::array<double, 3> principal_moments(const Inertial& inertial) {
       inertial.ixz, inertial.iyz, inertial.izz;
   matrix /= scale;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d moments = solver.eigenvalues() * scale;
-  return {moments[0], moments[1], moments[2]};
+  std::array<double, 3> moments{};
+  for (int i = 0; i < 3; ++i) {
+    const double moment = solver.eigenvalues()[i];
+    moments[static_cast<std::size_t>(i)] =
+        std::abs(moment) > kRoundingOfSolver ? moment * scale : 0;
+  }
+  return moments;
 }
 
 std::optional<std::string> find_unphysical(const Inertial& inertial) {

@@ -9,7 +9,7 @@
 
 namespace treeline {
 
-/// Principal moments of an inertial, ascending, in kg m^2.
+/// Principal moments of an inertial, ascending, in kg m^2; 0 where they are rounding errors.
 std::array<double, 3> principal_moments(const Inertial& inertial);
 
 /// Reason, in words with the numbers, that no distribution of mass has this inertia: a negative

@@ -24,13 +24,22 @@ Vector<double> neutral_pose(const Model<double>& model) {
   return q;
 }
 
-/// Ratio of the largest to the smallest eigenvalue; infinite if the smallest does not exceed
-/// rounding.
-double condition(const Eigen::VectorXd& ascending) {
-  const double least = ascending[0], largest = ascending[ascending.size() - 1];
+/// The value; 0 if it does not exceed the rounding errors of so many terms of that size.
+double beyond_rounding(double value, Eigen::Index terms, double size) {
   const double rounding =
-      std::numeric_limits<double>::epsilon() * static_cast<double>(ascending.size()) * largest;
-  return least > rounding ? largest / least : std::numeric_limits<double>::infinity();
+      std::numeric_limits<double>::epsilon() * static_cast<double>(terms) * size;
+  return std::abs(value) > rounding ? value : 0;
+}
+
+double least_of(const Eigen::VectorXd& ascending) {
+  return beyond_rounding(ascending[0], ascending.size(), ascending[ascending.size() - 1]);
+}
+
+/// Ratio of the largest to the smallest eigenvalue; infinite if there is none above 0.
+double condition(const Eigen::VectorXd& ascending) {
+  const double least = least_of(ascending);
+  return least > 0 ? ascending[ascending.size() - 1] / least
+                   : std::numeric_limits<double>::infinity();
 }
 
 MassMatrixReport inspect_mass_matrix(const Matrix<double>& M) {
@@ -38,7 +47,7 @@ MassMatrixReport inspect_mass_matrix(const Matrix<double>& M) {
   const Eigen::VectorXd diagonal = M.diagonal();
   report.diagonal.assign(diagonal.data(), diagonal.data() + diagonal.size());
   const Eigen::VectorXd values = eigenvalues_of_symmetric(M);
-  report.least = values[0];
+  report.least = least_of(values);
   report.largest = values[values.size() - 1];
   report.condition = condition(values);
   report.scaled_condition = std::numeric_limits<double>::infinity();
@@ -64,9 +73,13 @@ void inspect_masses(const Robot& robot, const Scene& scene, Report& report) {
   }
   const auto poses = interpreter::forward_kinematics<double>(model, centres, q);
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double size = 0;
   for (int i = 0; i < model.size(); ++i) {
-    moment += model.body(i).mass * poses[static_cast<std::size_t>(i)].position;
+    const Eigen::Vector3d part = model.body(i).mass * poses[static_cast<std::size_t>(i)].position;
+    moment += part;
+    size += part.norm();
   }
+  for (double& entry : moment) entry = beyond_rounding(entry, model.size(), size);
   if (report.mass > 0) Eigen::Map<Eigen::Vector3d>(report.com.data()) = moment / report.mass;
   if (model.nv > 0) {
     report.mass_matrix = inspect_mass_matrix(interpreter::mass_matrix<double>(model, q));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "description/inertias.hpp"
 #include "sample.hpp"
 
 namespace treeline {
@@ -115,6 +116,25 @@ TEST(InspectRobot, TakesARobotThatDoesNotMove) {
   EXPECT_FALSE(report.mass_matrix);
   EXPECT_NE(print_text(report).find("nothing moves"), std::string::npos);
   EXPECT_NE(print_json(report).find("\"mass_matrix\": null"), std::string::npos);
+}
+
+// Would catch: rounding errors of the report's own computation that are told as facts of the robot.
+TEST(InspectRobot, TellsNoRoundingErrors) {
+  Inertial tilted;  // a rod at 45 degrees; one that all three axes see alike
+  tilted.mass = 1;
+  tilted.ixx = tilted.iyy = 0.15;
+  tilted.ixy = -0.15;
+  tilted.izz = 0.3;
+  EXPECT_EQ(principal_moments(tilted)[0], 0);
+  tilted.ixx = tilted.iyy = tilted.izz = tilted.ixy = tilted.ixz = tilted.iyz = 0.001;
+  EXPECT_EQ(principal_moments(tilted)[0], 0);
+  EXPECT_EQ(principal_moments(tilted)[1], 0);
+  for (const char* name : {"humanoid24", "tumbler"}) {
+    Diagnostics diagnostics;
+    const auto robot = read_urdf(
+        std::string(TREELINE_ROBOTS_DIR) + "/" + name + "/" + name + ".urdf", diagnostics);
+    EXPECT_EQ(inspect_robot(robot.value(), std::nullopt).com[1], 0) << name;
+  }
 }
 
 }  // namespace
