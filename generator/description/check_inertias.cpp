@@ -27,7 +27,7 @@ double largest_entry(const Inertial& inertial) {
 std::array<double, 3> principal_moments(const Inertial& inertial) {
   // Scaled, so that the solver neither overflows nor underflows.
   const double scale = largest_entry(inertial);
-  if (scale == 0) return {0, 0, 0};
+  if (scale <= kRoundingOfMoments * inertial.mass) return {0, 0, 0};
   Eigen::Matrix3d matrix;
   matrix << inertial.ixx, inertial.ixy, inertial.ixz,  //
       inertial.ixy, inertial.iyy, inertial.iyz,        //
@@ -46,7 +46,7 @@ std::array<double, 3> principal_moments(const Inertial& inertial) {
 std::optional<std::string> find_unphysical(const Inertial& inertial) {
   const auto [least, middle, largest] = principal_moments(inertial);
   const double scale = std::max(std::abs(least), std::abs(largest));
-  if (scale <= kRoundingOfMoments * inertial.mass) return std::nullopt;
+  if (scale == 0) return std::nullopt;
   if (least < -kRoundingOfFigures * scale) {
     return fmt::format(
         "the inertia is indefinite: principal moments {:.6g}, {:.6g}, {:.6g} kg m^2, worst {:.6g}",

@@ -129,6 +129,9 @@ TEST(InspectRobot, TellsNoRoundingErrors) {
   tilted.ixx = tilted.iyy = tilted.izz = tilted.ixy = tilted.ixz = tilted.iyz = 0.001;
   EXPECT_EQ(principal_moments(tilted)[0], 0);
   EXPECT_EQ(principal_moments(tilted)[1], 0);
+  tilted.ixx = -5.421e-20;  // as exporters leave them of a body without extent
+  tilted.iyy = tilted.izz = tilted.ixy = tilted.ixz = tilted.iyz = 4e-18;
+  EXPECT_EQ(principal_moments(tilted), (std::array<double, 3>{}));
   for (const char* name : {"humanoid24", "tumbler"}) {
     Diagnostics diagnostics;
     const auto robot = read_urdf(
