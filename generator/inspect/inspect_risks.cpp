@@ -8,6 +8,7 @@
 #include "inspect/draw_states.hpp"
 #include "inspect/inspect_robot.hpp"
 #include "interpreter/instances.hpp"
+#include "mechanism/build_mechanism.hpp"
 #include "oracle/draw_state.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -166,17 +167,18 @@ void inspect_singularities(const Model<double>& model, const Points<double>& poi
   }
 }
 
-void inspect_angles(const Scene& scene, const DrawnStates& states, Report& report) {
+void inspect_angles(const Robot& robot, const Scene& scene, Report& report) {
   const bool single = scene.real == Real::float32;
-  std::string unlimited;
-  for (const JointReport* joint : states.joints()) {
-    const double farthest = std::max(-joint->lower, joint->upper);
-    if (joint->unit != "rad" || farthest <= farthest_angle(single)) continue;
-    unlimited += (unlimited.empty() ? "" : ", ") + joint->name;
+  const Mechanism mechanism = build_mechanism(robot, scene);
+  std::string far;
+  for (const MovingLink& link : mechanism.links) {
+    if (!link.turns_by_angle() || link.spins) continue;
+    if (largest_angle(mechanism, link) <= farthest_angle(single)) continue;
+    far += (far.empty() ? "" : ", ") + link.joint;
   }
-  if (unlimited.empty()) return;
-  report.risks.push_back({unlimited, "angle", 0,
-                          fmt::format("may turn without limit: beyond {} rad sines lose digits",
+  if (far.empty()) return;
+  report.risks.push_back({far, "angle", 0,
+                          fmt::format("may turn further than {} rad, where sines lose digits",
                                       single ? "4000" : "2e8"),
                           "Take whole turns off before that."});
 }
@@ -195,7 +197,7 @@ void inspect_risks(const Robot& robot, const Scene& scene, Report& report) {
     inspect_singularities(model, points_from_scene(model, scene.operational_points), states,
                           report);
   }
-  inspect_angles(scene, states, report);
+  inspect_angles(robot, scene, report);
 }
 
 }  // namespace treeline

@@ -92,7 +92,8 @@ void inspect_masses(const Robot& robot, const Scene& scene, Report& report);
 ///    `find_mass_ratio`. If there are such joints, singularities are not searched.
 ///  - Singularity: the condition number of Lambda^-1, scaled to a unit diagonal, along each joint's
 ///    range with the other joints at rest in a few states, followed to its peak.
-///  - Angle: ranges that exceed `farthest_angle`, beyond which sines are not accurate.
+///  - Angle: ranges, of followers by their multipliers, that exceed `farthest_angle`, beyond which
+///    sines are not accurate.
 void inspect_risks(const Robot& robot, const Scene& scene, Report& report);
 
 /// Finds impossible inertias on which the motion depends. A link is one of them if no choice of

@@ -28,6 +28,10 @@ void place_frames(Mechanism& mechanism);
 /// offset is removed, with `balanced` those of joints whose limits are wide, with `best` all.
 void keep_angles(Mechanism& mechanism, Accuracy accuracy);
 
+/// Largest angle of a link that turns by one, as the limits of the joint permit that it is or
+/// follows, including its offset; rad.
+double largest_angle(const Mechanism& mechanism, const MovingLink& link);
+
 /// Builds the mechanism of `robot` and leaves the links' frames where the URDF has them, but for
 /// rotations that take z to the joint axes: `build_mechanism` and `keep_angles`.
 Mechanism mechanism_in_frames_of_files(const Robot& robot, const Scene& scene);

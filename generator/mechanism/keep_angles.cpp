@@ -12,19 +12,18 @@ namespace {
 // scale.
 constexpr double kFarthest = 8;  // rad
 
-/// Largest angle that the joint's limits permit, including the offset; rad.
-double farthest_angle(const Mechanism& mechanism, const MovingLink& link) {
+bool may_round(const Mechanism& mechanism, const MovingLink& link, Accuracy accuracy) {
+  return accuracy == Accuracy::fastest ||
+         (accuracy == Accuracy::balanced && largest_angle(mechanism, link) <= kFarthest);
+}
+
+}  // namespace
+
+double largest_angle(const Mechanism& mechanism, const MovingLink& link) {
   const Coordinate& q = mechanism.coordinates[static_cast<std::size_t>(link.q_index)];
   return std::max(std::abs(q.lower), std::abs(q.upper)) * std::abs(link.multiplier) +
          std::abs(static_cast<double>(link.offset));
 }
-
-bool may_round(const Mechanism& mechanism, const MovingLink& link, Accuracy accuracy) {
-  return accuracy == Accuracy::fastest ||
-         (accuracy == Accuracy::balanced && farthest_angle(mechanism, link) <= kFarthest);
-}
-
-}  // namespace
 
 void keep_angles(Mechanism& mechanism, Accuracy accuracy) {
   for (MovingLink& link : mechanism.links) {

@@ -1,5 +1,6 @@
 // Would catch: a joint that loses digits and is not named, a joint that is named without reason,
 // and findings that differ from run to run. The robots' singularities are known in closed form.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -147,6 +148,21 @@ TEST(InspectRisks, WarnsOfJointsThatTurnForever) {
   urdf.replace(urdf.find("revolute"), 8, "continuous");
   const Report report = inspect(urdf, "0.1", "name: arm\n");
   EXPECT_NE(find(report, "shoulder", "angle"), nullptr);
+}
+
+// Would catch: a follower's own angle, the multiplier times its leader's, that is passed over.
+TEST(InspectRisks, WarnsOfFollowersThatTurnFar) {
+  const auto angles = [](const char* multiplier) {
+    std::string urdf = planar_arm("1", "lower=\"-1e10\" upper=\"1e10\"");
+    const std::string range = "lower=\"-3\" upper=\"3\"";
+    urdf.replace(urdf.find(range), range.size(), "lower=\"-100\" upper=\"100\"");
+    const std::size_t at = urdf.rfind("</joint>");
+    urdf.insert(at, fmt::format("<mimic joint=\"shoulder\" multiplier=\"{}\"/>", multiplier));
+    const Report report = inspect(urdf, "0.1", "name: arm\n");
+    return find(report, "elbow", "angle") != nullptr;
+  };
+  EXPECT_FALSE(angles("100"));
+  EXPECT_TRUE(angles("-1e7"));
 }
 
 TEST(InspectRisks, KnowsWhatLocksIndustrialArms) {
