@@ -43,7 +43,7 @@ std::optional<Scene> read_scene_of(const RobotWithFiles& read, Diagnostics& diag
   auto scene = parse_scene_of(read, diagnostics);
   if (!scene) return std::nullopt;
   Diagnostics left_out;
-  leave_out_singular(read.robot, *scene, states_key(read.files.scene_text, "functions"), left_out);
+  leave_out_singular(read.robot, *scene, place_of_list(read.files, {}), left_out);
   for (Diagnostic each : left_out.list()) {
     each.severity = Severity::warning;
     diagnostics.add(std::move(each));

@@ -38,7 +38,7 @@ std::vector<Function> find_functions(const std::vector<std::string>& names,
     if (const auto function = find_function(name)) {
       functions.push_back(*function);
     } else {
-      reject("--functions", fmt::format("there is no function \"{}\"", name),
+      reject(kFunctionsOption, fmt::format("there is no function \"{}\"", name),
              suggest_function(name), diagnostics);
     }
   }
@@ -104,7 +104,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
       .add_option("--target", options.target, "Processor the code is for, instead of the scene's")
       ->check(one_of(target_names()));
   command
-      .add_option("--functions", options.functions,
+      .add_option(kFunctionsOption, options.functions,
                   "Functions, separated by commas, instead of the scene's")
       ->delimiter(',')
       ->allow_extra_args(false);  // what follows is a file
@@ -132,9 +132,8 @@ std::optional<RobotAndScene> read_inputs(const InputOptions& options, Diagnostic
   auto scene = parse_scene_of(*read, diagnostics, functions, options.functions_from);
   if (!scene) return std::nullopt;
   apply(options, read->files.scene_text, *scene, diagnostics);
-  const bool listed = !options.functions.empty() || states_key(read->files.scene_text, "functions");
   warn_of_limits(read->robot, *scene, options.limits_for, diagnostics);
-  leave_out_singular(read->robot, *scene, listed, diagnostics);
+  leave_out_singular(read->robot, *scene, place_of_list(read->files, functions), diagnostics);
   if (const PackageKind* const package = find_package(options.package)) {
     refuse_package(*package, read->robot, *scene, diagnostics);
   }

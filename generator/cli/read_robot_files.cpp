@@ -4,6 +4,7 @@
 
 #include "description/read_robot_text.hpp"
 #include "description/read_urdf.hpp"
+#include "description/scene_queries.hpp"
 #include "text/read_text_file.hpp"
 
 namespace treeline {
@@ -61,6 +62,11 @@ std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& dia
   if (files.scene.empty()) return read_scene("", read.robot, diagnostics, functions);
   return parse_scene(files.scene_text, shown_path(files.scene), read.robot, diagnostics, functions,
                      from);
+}
+
+std::string place_of_list(const RobotFiles& files, const std::vector<Function>& functions) {
+  if (!functions.empty()) return kFunctionsOption;
+  return states_key(files.scene_text, "functions") ? "functions" : "";
 }
 
 std::vector<std::string> list_paths(const RobotFiles& files) {

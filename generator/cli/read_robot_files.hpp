@@ -42,6 +42,9 @@ std::optional<Scene> parse_scene_of(const RobotWithFiles& read, Diagnostics& dia
                                     const std::vector<Function>& functions = {},
                                     FunctionsFrom from = FunctionsFrom::scene);
 
+/// What lists functions by name: these, which an option gives, or the scene; empty: nothing does.
+std::string place_of_list(const RobotFiles& files, const std::vector<Function>& functions);
+
 /// The paths of all these files; standard input is none.
 std::vector<std::string> list_paths(const RobotFiles& files);
 

@@ -57,7 +57,7 @@ bool exceeds_base_parameters(const Scene& scene, Function function) {
 }
 
 /// Reports a function that the scene's constraints do not permit.
-void report_constraints(const SceneElement& top, const Scene& scene, Function function) {
+void report_constraints(const SceneElement& list, const Scene& scene, Function function) {
   const char* missing = "nothing is held";
   const char* remedy = "add a list constraints or couplings, or remove the function";
   if (scene.holds_rows()) {
@@ -69,40 +69,40 @@ void report_constraints(const SceneElement& top, const Scene& scene, Function fu
         "add constraints or couplings; or operational_points, and passive joints where nothing "
         "floats";
   }
-  top.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);
+  list.error(fmt::format("{} is listed, but {}", function_name(function), missing), remedy);
 }
 
-void check_functions(const SceneElement& top, const Robot& robot, const std::string& singular,
+void check_functions(const SceneElement& list, const Robot& robot, const std::string& singular,
                      const Scene& scene) {
   for (const Function function : scene.functions) {
     if (info_of(function).group == FunctionGroup::points && scene.operational_points.empty()) {
-      top.error(
+      list.error(
           fmt::format("{} is listed, but there is no operational point", function_name(function)),
           "add a list operational_points, or remove the function");
     } else if (needs_contacts(function) && scene.contacts.empty()) {
-      top.error(fmt::format("{} is listed, but there is no contact", function_name(function)),
-                "add a list contacts, or remove the function");
+      list.error(fmt::format("{} is listed, but there is no contact", function_name(function)),
+                 "add a list contacts, or remove the function");
     } else if (needs_objects(function) && scene.objects.empty()) {
-      top.error(fmt::format("{} is listed, but there is no object", function_name(function)),
-                "add a list objects, or remove the function");
+      list.error(fmt::format("{} is listed, but there is no object", function_name(function)),
+                 "add a list objects, or remove the function");
     } else if (needs_constraints(function) && !permits(robot, scene, function)) {
-      report_constraints(top, scene, function);
+      report_constraints(list, scene, function);
     } else if (needs_mass(function) && !has_mass(robot)) {
-      top.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
-                "give some link mass in the URDF, or remove the function");
+      list.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
+                 "give some link mass in the URDF, or remove the function");
     } else if (scene.inputs.base_parameters && exceeds_base_parameters(scene, function)) {
-      top.error(
+      list.error(
           fmt::format("{} is listed, but it depends on masses that base parameters do not contain",
                       function_name(function)),
           "remove the function, or make parameters of links an input");
     } else if (!scene.rotors.empty() && (function == Function::subtree_masses_and_centers ||
                                          function == Function::link_inverse_inertias)) {
-      top.error(
+      list.error(
           fmt::format("{} is listed, but rotors with gyroscopic moments are links without mass",
                       function_name(function)),
           "remove the function, or gyroscopic: true");
     } else if (inverts_mass_matrix(function) && !singular.empty()) {
-      top.error(
+      list.error(
           fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
                       function_name(function), singular),
           "give it mass in the URDF, lock the joint, or remove the function");
@@ -110,20 +110,20 @@ void check_functions(const SceneElement& top, const Robot& robot, const std::str
   }
 }
 
-void check_implicit_friction(const SceneElement& top, const Scene& scene) {
+void check_implicit_friction(const SceneElement& list, const Scene& scene) {
   const auto& functions = scene.functions;
   if (!scene.implicit_friction ||
       std::any_of(functions.begin(), functions.end(),
                   [](Function each) { return takes(each, Quantity::step); })) {
     return;
   }
-  top.error("friction is implicit, but no function takes a step",
-            "add forward_dynamics or constrained_forward_dynamics");
+  list.error("friction is implicit, but no function takes a step",
+             "add forward_dynamics or constrained_forward_dynamics");
 }
 
 /// Checks the scene of `damped_control_torque` and the functions that it calls.
-void check_damped(const SceneElement& top, const Robot& robot, const std::string& singular,
-                  const Scene& scene) {
+void check_damped(const SceneElement& top, const SceneElement& list, const Robot& robot,
+                  const std::string& singular, const Scene& scene) {
   if (!scene.damped) return;
   if (has_priorities(scene.operational_points)) {
     top.error("damped knows no priorities, but the operational points differ in theirs",
@@ -144,7 +144,7 @@ void check_damped(const SceneElement& top, const Robot& robot, const std::string
                 "give it mass in the URDF, lock the joint, or remove damped");
       return;
     }
-    top.error(
+    list.error(
         fmt::format("damped needs {}, which is not among the functions", function_name(function)),
         !permits(robot, scene, function) ? "add a list operational_points"
                                          : "add it to functions, or leave out functions for all");
@@ -311,7 +311,8 @@ std::vector<Function> default_functions(const Robot& robot, const Scene& scene) 
   return functions;
 }
 
-void complete_scene(const SceneElement& top, const Robot& robot, bool listed, Scene& scene) {
+void complete_scene(const SceneElement& top, const SceneElement& list, const Robot& robot,
+                    bool listed, Scene& scene) {
   const Freedoms freedoms = find_freedoms(robot, scene);
   if (freedoms.empty()) {
     const bool jointed =
@@ -333,13 +334,13 @@ void complete_scene(const SceneElement& top, const Robot& robot, bool listed, Sc
   if (!listed) {
     choose_functions(robot, singular, scene);
   } else {
-    check_functions(top, robot, singular, scene);
+    check_functions(list, robot, singular, scene);
   }
-  check_damped(top, robot, singular, scene);
+  check_damped(top, list, robot, singular, scene);
   check_limits(top, robot, scene);
   check_controller(top, robot, singular, scene);
   check_inputs_used(top, scene);
-  check_implicit_friction(top, scene);
+  check_implicit_friction(list, scene);
   check_regressor_used(top, scene);
   check_contacts(top, robot, scene);
   check_constraints(top, robot, scene);

@@ -20,8 +20,10 @@ std::vector<Function> default_functions(const Robot& robot, const Scene& scene);
 /// cannot be inverted for want of any mass (`leave_out_singular` says so, and finds other reasons);
 /// and reports what the robot cannot do: nothing moves, functions of points without points or that
 /// `damped` lacks, functions listed that invert such a matrix, more controlled rows than
-/// coordinates that move them, names of joints that meet in one identifier.
-void complete_scene(const SceneElement& top, const Robot& robot, bool listed, Scene& scene);
+/// coordinates that move them, names of joints that meet in one identifier. Faults of the functions
+/// are told of `list`, where they are listed.
+void complete_scene(const SceneElement& top, const SceneElement& list, const Robot& robot,
+                    bool listed, Scene& scene);
 
 /// Warns of forces, contacts, constraints and passive joints that none of the functions takes.
 void warn_of_unused(const SceneElement& top, const Scene& scene);

@@ -77,15 +77,17 @@ std::optional<Scene> parse_scene(const std::string& text, const std::string& fil
   if (!document) return std::nullopt;
   // Without a scene, what cannot be is told of the robot.
   SceneReading reading{file_name.empty() ? robot.file : file_name, diagnostics, alias_lines(text)};
+  SceneReading of_option{"", diagnostics};
   const SceneElement top(*document, "", reading);
   Scene scene = read_fields(top, robot);
   scene.file = file_name;
   if (!functions.empty()) scene.functions = functions;
   if (!reading.failed) {
     const bool listed = (*document)["functions"].IsDefined() || !functions.empty();
-    complete_scene(top, robot, listed, scene);
+    const SceneElement given(YAML::Node(), kFunctionsOption, of_option);
+    complete_scene(top, functions.empty() ? top.at("functions") : given, robot, listed, scene);
   }
-  if (reading.failed) return std::nullopt;
+  if (reading.failed || of_option.failed) return std::nullopt;
   if (from == FunctionsFrom::scene) warn_of_unused(top, scene);
   if (!file_name.empty() && scene.base == Base::floating && !(*document)["base"]) {
     top.note(fmt::format("the scene says nothing of the base, which floats, for {}",

@@ -24,6 +24,9 @@ std::optional<Scene> read_scene(const std::string& path, const Robot& robot,
                                 Diagnostics& diagnostics,
                                 const std::vector<Function>& functions = {});
 
+/// What lists functions in place of a scene.
+inline constexpr const char* kFunctionsOption = "--functions";
+
 /// Who says which functions there are. A command that chooses them itself says what it leaves out
 /// of a scene; the scene's functions are then none of its business.
 enum class FunctionsFrom { scene, command };

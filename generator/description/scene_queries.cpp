@@ -40,6 +40,10 @@ const char* why_floating(const Robot& robot) {
   return robot.hints.floats ? "the file says so" : "no joint moves";
 }
 
+const std::string& file_of_scene(const Scene& scene, const Robot& robot) {
+  return scene.file.empty() ? robot.file : scene.file;
+}
+
 bool states_key(const std::string& scene_text, const std::string& key) {
   Diagnostics ignored;
   const auto document = parse_yaml(scene_text, "", ignored);

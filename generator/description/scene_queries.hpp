@@ -29,6 +29,9 @@ Base default_base(const Robot& robot);
 /// Why `default_base` is floating: `the file says so` or `no joint moves`.
 const char* why_floating(const Robot& robot);
 
+/// The file that messages of a scene name: its own, without one the robot's.
+const std::string& file_of_scene(const Scene& scene, const Robot& robot);
+
 /// Whether the text of a scene has a key, such as `functions`; false for one that cannot be parsed.
 bool states_key(const std::string& scene_text, const std::string& key);
 

@@ -176,7 +176,7 @@ Scene control_scene(const Robot& robot, const Scene& scene, Diagnostics& diagnos
                      "Give it joints that move, or a scene with `base: floating`."});
     return control;
   }
-  leave_out_singular(robot, control, true, diagnostics);
+  require_accelerations(robot, control, diagnostics);
   return control;
 }
 

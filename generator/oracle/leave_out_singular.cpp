@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "description/check_scene.hpp"
+#include "description/scene_queries.hpp"
 #include "text/suggest_name.hpp"
 
 namespace treeline {
@@ -48,12 +49,23 @@ std::vector<std::string> names_of(const std::vector<Function>& functions) {
   return names;
 }
 
+/// Whether it is one of the command line, which is in no file.
+bool is_option(const std::string& element) {
+  return element.rfind("--", 0) == 0;
+}
+
+/// Those of the functions that invert M.
+std::vector<Function> inverting(std::vector<Function> functions) {
+  std::erase_if(functions, [](Function function) { return !inverts_mass_matrix(function); });
+  return functions;
+}
+
 /// Warns of the pose in which most robots are started.
 void warn_of_zero(const Robot& robot, const Scene& scene, const std::vector<Function>& functions,
                   Diagnostics& diagnostics) {
   const std::vector<MasslessDirections> massless = find_massless_at_zero(robot, scene);
   if (massless.empty()) return;
-  diagnostics.add({Severity::warning, scene.file, 0, "",
+  diagnostics.add({Severity::warning, file_of_scene(scene, robot), 0, "",
                    fmt::format("{}; without a value there, and with few digits nearby: {}",
                                describe_fault("where all coordinates are 0", massless),
                                list_first(names_of(functions), kMostNamed)),
@@ -62,9 +74,11 @@ void warn_of_zero(const Robot& robot, const Scene& scene, const std::vector<Func
 
 }  // namespace
 
-void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics) {
-  std::vector<Function> undefined = listed ? scene.functions : default_functions(robot, scene);
-  std::erase_if(undefined, [](Function function) { return !inverts_mass_matrix(function); });
+void leave_out_singular(const Robot& robot, Scene& scene, const std::string& listed,
+                        Diagnostics& diagnostics) {
+  const bool by_name = !listed.empty();
+  const std::vector<Function> undefined =
+      inverting(by_name ? scene.functions : default_functions(robot, scene));
   if (undefined.empty()) return;
   const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);
   if (massless.empty()) {
@@ -72,24 +86,30 @@ void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnosti
     return;
   }
   const std::vector<std::string> names = names_of(undefined);
-  const bool asked = listed || scene.damped || scene.has_limits();
+  const bool asked = by_name || scene.damped || scene.has_limits();
   const char* const composed = scene.damped ? "damped" : "limited_control_torque";
-  const std::string list = asked && !listed ? composed : list_first(names, kMostNamed);
+  const std::string list = asked && !by_name ? composed : list_first(names, kMostNamed);
   diagnostics.add(
-      {asked ? Severity::error : Severity::warning, scene.file, 0, listed ? "functions" : "",
+      {asked ? Severity::error : Severity::warning,
+       is_option(listed) ? "" : file_of_scene(scene, robot), 0, listed,
        fmt::format("{}; {} {}", describe_fault("in every pose", massless),
                    asked ? "there is no" : "left out:", list),
-       describe_cure(massless) + (listed ? "; or do not ask for these functions" : "")});
+       describe_cure(massless) + (by_name ? "; or do not ask for these functions" : "")});
   std::erase_if(scene.functions, inverts_mass_matrix);
 }
 
 bool has_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
   const std::vector<MasslessDirections> massless = find_massless_directions(robot, scene);
   if (massless.empty()) return true;
-  diagnostics.add({Severity::error, scene.file, 0, "",
+  diagnostics.add({Severity::error, file_of_scene(scene, robot), 0, "",
                    describe_fault("in every pose", massless) + "; nothing can be simulated",
                    describe_cure(massless)});
   return false;
+}
+
+void require_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics) {
+  if (!has_accelerations(robot, scene, diagnostics)) return;
+  warn_of_zero(robot, scene, inverting(scene.functions), diagnostics);
 }
 
 }  // namespace treeline

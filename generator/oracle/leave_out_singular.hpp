@@ -11,13 +11,17 @@ namespace treeline {
 
 /// Removes the functions that need M^-1 from the scene if M is singular in every pose. One warning
 /// names the directions without inertia and a cure. Functions that were requested by name
-/// (`listed`: those of the scene are), including `damped`, are not removed; an error with the same
-/// content is reported for them.
-void leave_out_singular(const Robot& robot, Scene& scene, bool listed, Diagnostics& diagnostics);
+/// (`listed` says where: `functions` of the scene, or an option), including `damped`, are not
+/// removed; an error with the same content is reported for them.
+void leave_out_singular(const Robot& robot, Scene& scene, const std::string& listed,
+                        Diagnostics& diagnostics);
 
 /// Whether joint forces determine accelerations: an error with the same content says that M is
 /// singular in every pose.
 bool has_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
+
+/// The same, with the warning where M is singular with all coordinates at 0.
+void require_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
 
 /// Motions without inertia in any pose, that is, a part of the null space of M. Each of these
 /// groups has one joint, or the base, in the lead.

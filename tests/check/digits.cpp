@@ -123,7 +123,7 @@ std::optional<Scene> make_scene(const Robot& robot, std::optional<Base> base) {
               parse_scene(scene_text(chosen, ends, points, rows), "made", robot, diagnostics)) {
         // Rows that a plain solve can handle, solved as they are by default.
         scene->singular = SingularTasks::smooth;
-        leave_out_singular(robot, *scene, false, diagnostics);
+        leave_out_singular(robot, *scene, "", diagnostics);
         return scene;
       }
     }

@@ -174,7 +174,7 @@ const Case kCases[] = {
     {"NoFunction", "functions: []", {kError, 1, "functions", "no function", "leave out"}},
     {"FunctionWithoutPoints",
      "functions: [jacobian]",
-     {kError, 1, "", "no operational point", "operational_points"}},
+     {kError, 1, "functions", "no operational point", "operational_points"}},
     {"UnknownLink",
      "operational_points:\n- name: a\n  link: tol",
      {kError, 3, "operational_points[0]/link", "no link \"tol\"", "did you mean \"tool\"?"}},
@@ -259,14 +259,14 @@ const Case kCases[] = {
      {kError, 1, "", "\"a\" is on link \"base\", which cannot move", "a joint that moves"}},
     {"NoContact",
      "functions: [effective_mass]",
-     {kError, 1, "", "effective_mass is listed, but there is no contact", "contacts"}},
+     {kError, 1, "functions", "effective_mass is listed, but there is no contact", "contacts"}},
     {"UnusedContact",
      "contacts: [{name: a, link: tool}]\nfunctions: [gravity]",
      {kWarning, 1, "", "no function takes them", "add"}},
     {"DampedNeedsFunctions",
      "damped: {mass: 1, inertia: 1}\noperational_points: [{name: a, link: tool, rows: [x]}]\n"
      "functions: [jacobian, bias_acceleration, inverse_dynamics]",
-     {kError, 1, "", "damped needs lambda_inverse", "add it to functions"}},
+     {kError, 3, "functions", "damped needs lambda_inverse", "add it to functions"}},
     {"DampedNeedsPoints",
      "damped: {mass: 1, inertia: 1}",
      {kError, 1, "", "damped needs jacobian", "operational_points"}},
@@ -300,9 +300,20 @@ TEST(BadSceneRobot, IsSingular) {
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_scene("functions: [forward_dynamics]", "s.yaml", make_robot("massless", ""),
                            diagnostics));
-  expect_diagnosed(
-      diagnostics, "s.yaml",
-      {kError, 1, "", "nothing beyond joints \"shoulder\", \"elbow\", \"slide\" has mass", "lock"});
+  expect_diagnosed(diagnostics, "s.yaml",
+                   {kError, 1, "functions",
+                    "nothing beyond joints \"shoulder\", \"elbow\", \"slide\" has mass", "lock"});
+}
+
+// Would catch: faults of a list on the command line that are told of a line in the scene.
+TEST(BadSceneRobot, LacksWhatAnOptionListsFunctionsOf) {
+  for (const char* text : {"name: a\nfunctions: [gravity]", "name: a", ""}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(parse_scene(text, "s.yaml", make_robot(), diagnostics,
+                             {Function::gravity, Function::jacobian}));
+    expect_diagnosed(diagnostics, "",
+                     {kError, 0, "--functions", "jacobian is listed", "operational_points"});
+  }
 }
 
 // Would catch: a centre of mass that is 0/0.
@@ -311,7 +322,7 @@ TEST(BadSceneRobot, HasNoMassToHaveACentre) {
   for (Link& link : robot.links) link.inertial.reset();
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_scene("functions: [center_of_mass]", "s.yaml", robot, diagnostics));
-  expect_diagnosed(diagnostics, "s.yaml", {kError, 1, "", "no link has mass", "URDF"});
+  expect_diagnosed(diagnostics, "s.yaml", {kError, 1, "functions", "no link has mass", "URDF"});
 }
 
 }  // namespace

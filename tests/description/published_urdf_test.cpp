@@ -64,7 +64,7 @@ void warn_in_scene(const Robot& robot, Diagnostics& diagnostics) {
   Diagnostics of_scene;
   auto scene = read_scene("", robot, of_scene);
   if (!scene) return;
-  leave_out_singular(robot, *scene, false, diagnostics);
+  leave_out_singular(robot, *scene, "", diagnostics);
   warn_of_limits(robot, *scene, LimitUse::code, diagnostics);
 }
 

@@ -149,7 +149,7 @@ TEST(ReadJointFriction, RefusesWhatIsNoFriction) {
       {"joint_friction: {model: viscous, joints: {a: {damping: 0}, b: {damping: 0}}}",
        {kError, 1, "joint_friction", "no joint has damping", "joints:"}},
       {"joint_friction: {model: viscous, implicit: true}\nfunctions: [gravity]",
-       {kError, 1, "", "no function takes a step", "forward_dynamics"}},
+       {kError, 2, "functions", "no function takes a step", "forward_dynamics"}},
       {"joint_springs: {a: {rest: 1}}",
        {kError, 1, "joint_springs/a", "\"stiffness\" is missing", "N m/rad"}},
       {"joint_springs: {a: {stiffness: 0}}",

@@ -158,7 +158,7 @@ std::vector<Fault> faults() {
       {"too_few_coordinates", replaced("point: right", "point: stub") + "singular: exact\n",
        error(1, "", "needs six coordinates at point \"stub\", which has 1", "every direction")},
       {"function_without_object", kPoints + "functions: [object_state]",
-       error(1, "", "object_state is listed, but there is no object", "objects")}};
+       error(2, "functions", "object_state is listed, but there is no object", "objects")}};
 }
 
 class BadObjects : public testing::TestWithParam<Fault> {};

@@ -134,7 +134,7 @@ std::optional<Scene> proposed_scene(const Robot& robot, Base base, Diagnostics& 
   const SceneProposal proposal = propose_scene(robot, base);
   auto scene =
       parse_scene(print_scene(robot, proposal, "robot.urdf", {}), "scene.yaml", robot, diagnostics);
-  if (scene) leave_out_singular(robot, *scene, false, diagnostics);
+  if (scene) leave_out_singular(robot, *scene, "", diagnostics);
   return scene;
 }
 

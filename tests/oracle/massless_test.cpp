@@ -122,7 +122,7 @@ TEST(MasslessDirections, OfAGimbalThatIsLockedAtZero) {
   EXPECT_EQ(found[0].what, "joint \"turn\" against joint \"yaw\"");
   Scene scene = made.scene;
   Diagnostics diagnostics;
-  leave_out_singular(made.robot, scene, false, diagnostics);
+  leave_out_singular(made.robot, scene, "", diagnostics);
   EXPECT_EQ(scene.functions, made.scene.functions);
   ASSERT_EQ(diagnostics.list().size(), 1U);
   EXPECT_EQ(diagnostics.list()[0].severity, Severity::warning);
@@ -204,8 +204,8 @@ struct Said {
 Said leave_out(const std::string& elements, const std::string& scene_text) {
   Case made = read(elements, scene_text);
   Diagnostics diagnostics;
-  const bool listed = scene_text.find("functions:") != std::string::npos;
-  leave_out_singular(made.robot, made.scene, listed, diagnostics);
+  const bool lists = scene_text.find("functions:") != std::string::npos;
+  leave_out_singular(made.robot, made.scene, lists ? "functions" : "", diagnostics);
   return {made.scene, diagnostics.list()};
 }
 
@@ -262,6 +262,7 @@ TEST(LeaveOutSingular, RefusesWhatIsAskedForByName) {
   ASSERT_EQ(said.list.size(), 1U);
   EXPECT_EQ(said.list[0].severity, Severity::error);
   EXPECT_EQ(said.list[0].file, "s.yaml");
+  EXPECT_EQ(said.list[0].element, "functions");
   EXPECT_NE(said.list[0].fault.find("rotation of the base about z; there is no control_torque"),
             std::string::npos)
       << said.list[0].fault;
@@ -269,6 +270,24 @@ TEST(LeaveOutSingular, RefusesWhatIsAskedForByName) {
   ASSERT_EQ(damped.list.size(), 1U);
   EXPECT_EQ(damped.list[0].severity, Severity::error);
   EXPECT_NE(damped.list[0].fault.find("there is no damped"), std::string::npos);
+}
+
+// Would catch: a message without a file, and one of a scene's file where the fault is an option's.
+TEST(LeaveOutSingular, NamesTheFileThatIsThere) {
+  Case made = read(kArm, kFloating);
+  made.scene.file.clear();
+  const auto told_of = [&](const std::string& listed) {
+    Scene scene = made.scene;
+    Diagnostics diagnostics;
+    leave_out_singular(made.robot, scene, listed, diagnostics);
+    EXPECT_EQ(diagnostics.list().size(), 1U);
+    return diagnostics.list().at(0).file;
+  };
+  EXPECT_EQ(told_of(""), "r.urdf");
+  EXPECT_EQ(told_of("--functions"), "");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(has_accelerations(made.robot, made.scene, diagnostics));
+  EXPECT_EQ(diagnostics.list().at(0).file, "r.urdf");
 }
 
 TEST(LeaveOutSingular, IsSilentWhereNothingInverts) {
@@ -281,7 +300,7 @@ TEST(LeaveOutSingular, LeavesFunctionsThatPass) {
   const Case made = read(kArm, kFloating + kPoint);
   Scene scene = made.scene;
   Diagnostics diagnostics;
-  leave_out_singular(made.robot, scene, false, diagnostics);
+  leave_out_singular(made.robot, scene, "", diagnostics);
   const Subjects subjects{made.robot, scene, generate(made.robot, scene)};
   const auto report = check_or_throw(subjects, quick_options());
   EXPECT_TRUE(report.passed()) << print_text(report);
