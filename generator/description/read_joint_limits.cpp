@@ -40,10 +40,25 @@ Limit limit_of(double written, double most, double none) {
   return Limit::implausible(Placeholder::enormous, written, none);
 }
 
+/// Says that a range is stated of a joint that moves without one.
+void pass_over_range(const UrdfElement& element, JointType type, double low, double high) {
+  const JointTypeInfo& info = info_of(type);
+  if (!info.moves() || !(low < high)) return;
+  element.reading().pass_over(
+      Severity::warning, fmt::format("range of a {} joint", info.name), element.line(),
+      element.path(),
+      fmt::format("the range {} to {} of a {} joint is ignored", low, high, info.name),
+      info.has_one_freedom() ? "type=\"revolute\" has a range"
+                             : "URDF does not say which of its coordinates that would be of");
+}
+
 void read_range(const UrdfElement& element, JointType type, Limits& limits) {
   const auto lower = element.number("lower", true);
   const auto upper = element.number("upper", true);
-  if (!info_of(type).has_range) return;
+  if (!info_of(type).has_range) {
+    pass_over_range(element, type, lower.value_or(0), upper.value_or(0));
+    return;
+  }
   if (!element.has("lower") && !element.has("upper")) {
     element.warn("there is neither \"lower\" nor \"upper\"; the joint counts as unlimited",
                  "give the range, or type=\"continuous\" if there is none", Minor::limit);

@@ -57,6 +57,27 @@ TEST(ReadJointLimits, RangesThatAreNone) {
   }
 }
 
+// Would catch: a range that a file states and nothing reads, without a word; and a word about
+// placeholders of none.
+TEST(ReadJointLimits, OfJointsWithoutARangeAreToldAsIgnored) {
+  const auto told = [](const char* type, const std::string& range) {
+    Diagnostics diagnostics;
+    const auto robot =
+        parse_urdf(limited_arm(range + " effort='1' velocity='1'", type), "arm.urdf", diagnostics);
+    EXPECT_TRUE(robot) << to_string(diagnostics);
+    return to_string(diagnostics);
+  };
+  for (const char* type : {"planar", "floating", "continuous"}) {
+    const std::string range = "the range -1 to 2 of a " + std::string(type) + " joint is ignored";
+    EXPECT_NE(told(type, "lower='-1' upper='2'").find(range), std::string::npos)
+        << told(type, "lower='-1' upper='2'");
+    for (const char* none : {"", "lower='0' upper='0'", "lower='1' upper='-1'"}) {
+      EXPECT_EQ(told(type, none).find("ignored"), std::string::npos) << told(type, none);
+    }
+  }
+  EXPECT_EQ(told("revolute", "lower='-1' upper='2'").find("ignored"), std::string::npos);
+}
+
 struct Bound {
   const char* text;
   double of_speed, of_force;
