@@ -211,7 +211,7 @@ int run(BenchCommand options) {
   Diagnostics diagnostics;
   const auto inputs = read_inputs(options.inputs, diagnostics);
   if (inputs && inputs->scene.language != Language::cpp) refuse_language(diagnostics);
-  if (inputs) (void)is_none_of(options.svg, list_paths(inputs->files), diagnostics);
+  if (inputs) (void)may_write(options.svg, list_paths(inputs->files), diagnostics);
   options.bench.places = options.places.value_or(1);
   if (!options.cold) prepare_warm(options, diagnostics);
   const bool ready = inputs && !diagnostics.has_errors();
@@ -244,7 +244,8 @@ void add_bench(CLI::App& app, int& exit_code) {
       ->excludes(states);
   command->add_flag("--json", options->json, "The machine and each variant as a line of JSON");
   CLI::Option* svg =
-      command->add_option("--svg", options->svg, "Writes time against error, a panel a function");
+      command->add_option("--svg", options->svg, "Writes time against error, a panel a function")
+          ->check(no_input_file());
   CLI::Option* peer =
       command->add_option("--peer", options->peers, "Module of another peer, any number");
   command

@@ -76,6 +76,8 @@ ExitCode draw(const DrawOptions& options, Diagnostics& diagnostics) {
                                          most_triangles(wanted), diagnostics)
                       : std::nullopt;
   if (!drawn) return kBadInput;
+  drawn->files.push_back(wanted.motion);
+  if (!may_write(options.output, drawn->files, diagnostics)) return kBadInput;
   split_if_driven(options, *drawn);
   const LinkPlacer placer(drawn->robot, drawn->scene);
   if (!has_link(drawn->robot, options.view.close_up, diagnostics)) return kBadInput;
@@ -91,7 +93,6 @@ ExitCode draw(const DrawOptions& options, Diagnostics& diagnostics) {
   if (options.output.empty() || options.output == "-") {
     return write_output(svg, OutputForm::text, kOk);
   }
-  drawn->files.push_back(wanted.motion);
   return write_output_file(options.output, svg, diagnostics, drawn->files) ? kOk : kBadInput;
 }
 
@@ -159,7 +160,8 @@ void add_options(CLI::App& command, DrawOptions& options) {
                      "Link whose neighbourhood is shown, not all of the robot");
   add_mesh_options(command, options.meshes);
   command.add_option("-o,--output,--svg", options.output, "File to write, else standard output")
-      ->check(no_equals_sign());
+      ->check(no_equals_sign())
+      ->check(no_input_file());
   add_warnings_option(command, options.warnings);
 }
 

@@ -295,7 +295,8 @@ void add_drive_options(CLI::App& command, DriveOptions& options) {
                    "No page: commands from --script or standard input alone");
   command.add_option("--script", options.script,
                      "File of commands, one a line; - is standard input");
-  command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states");
+  command.add_option("--record", drive.record, "JSON lines of commands and, 100 a second, states")
+      ->check(no_input_file());
   command.add_option("--reference", options.reference,
                      "Motion for the command `follow`: a record, or a table of simulate --csv");
   command

@@ -270,8 +270,10 @@ int run(const GenerateOptions& options) {
 
 /// Options that name files beside the folder, which `dump` does not write.
 void add_files_beside(CLI::App& command, GenerateOptions& options, CLI::Option& dump) {
-  auto* safety = command.add_option("--safety", options.safety,
-                                    "File for notes to a reviewer of functional safety");
+  auto* safety = command
+                     .add_option("--safety", options.safety,
+                                 "File for notes to a reviewer of functional safety")
+                     ->check(no_input_file());
   command
       .add_option("--evidence", options.evidence,
                   "Report of check or certify, printed with --json, for the notes; may be repeated")
@@ -281,6 +283,7 @@ void add_files_beside(CLI::App& command, GenerateOptions& options, CLI::Option& 
       .add_option("--depfile", options.depfile,
                   "File FILE.d to write: a rule that FILE depends on the inputs, for make, Ninja "
                   "and CMake")
+      ->check(no_input_file())
       ->excludes(&dump);
 }
 

@@ -161,6 +161,9 @@ int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
   const auto scene = read ? parse_scene_of(*read, diagnostics) : std::nullopt;
   if (!scene || !has_accelerations(read->robot, *scene, diagnostics)) return kBadInput;
   const auto ground = read_ground_of(options, *read, diagnostics);
+  for (const std::string& file : {options.csv, options.svg}) {
+    (void)may_write(file, list_paths(read->files), diagnostics);
+  }
   if (diagnostics.has_errors()) return kBadInput;
   const auto motion = simulate_motion(read->robot, *scene, options.motion, ground, diagnostics);
   if (!motion) return kBadInput;
@@ -216,9 +219,11 @@ void add_simulate(CLI::App& app, int& exit_code) {
                    "Of a floating robot's lowest point over the ground at the start, m")
       ->check(between(0, 1e6));
   add_mesh_options(*command, options->meshes);
-  command->add_option("--csv", options->csv,
-                      "Table of time, q, qd, energy, contacts; - is standard output");
-  command->add_option("--svg", options->svg, "The same drawn");
+  command
+      ->add_option("--csv", options->csv,
+                   "Table of time, q, qd, energy, contacts; - is standard output")
+      ->check(no_input_file());
+  command->add_option("--svg", options->svg, "The same drawn")->check(no_input_file());
   command->add_flag("--json", options->json, "Summary as JSON");
   add_warnings_option(*command, options->warnings);
   command->footer(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -66,6 +67,21 @@ CLI::Validator no_equals_sign() {
             "\"{}\" begins with a sign that a short option does not have\n"
             "write -o {}, or --output{}",
             given, given.substr(1), given);
+      },
+      "");
+}
+
+CLI::Validator no_input_file() {
+  return CLI::Validator(
+      [](std::string& given) {
+        constexpr std::array kOfInputs = {".urdf", ".xacro", ".sdf", ".xml", ".yaml", ".yml"};
+        const bool is_input = std::any_of(kOfInputs.begin(), kOfInputs.end(),
+                                          [&](const char* end) { return given.ends_with(end); });
+        if (!is_input) return std::string();
+        return fmt::format(
+            "\"{}\" is the name of a robot or a scene, and would be written over\n"
+            "name the file to write behind this option, and that one by itself",
+            given);
       },
       "");
 }

@@ -27,6 +27,10 @@ CLI::Validator any_number();
 /// of the name.
 CLI::Validator no_equals_sign();
 
+/// A path to write that is not named as a robot or a scene is: where it is forgotten, the file
+/// behind the option is one that should be read.
+CLI::Validator no_input_file();
+
 /// Whether an option was given as many numbers as the robot has, or none; else an error that names
 /// the option.
 bool has_size(const char* option, const std::vector<double>& given, int size,

@@ -56,6 +56,12 @@ bool can_write(const std::string& path, Diagnostics& diagnostics) {
   return false;
 }
 
+bool may_write(const std::string& path, const std::vector<std::string>& read,
+               Diagnostics& diagnostics) {
+  if (path.empty() || path == "-") return true;
+  return is_none_of(path, read, diagnostics) && can_write(path, diagnostics);
+}
+
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,
                        const std::vector<std::string>& read) {
   if (!is_none_of(path, read, diagnostics)) return false;

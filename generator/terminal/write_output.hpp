@@ -28,6 +28,11 @@ bool is_none_of(const std::string& path, const std::vector<std::string>& read,
 /// written; with an error if not.
 bool can_write(const std::string& path, Diagnostics& diagnostics);
 
+/// Whether both hold of a file that is to be written in the end: nobody should wait for results to
+/// lose them then. An empty path and "-" are no file.
+bool may_write(const std::string& path, const std::vector<std::string>& read,
+               Diagnostics& diagnostics);
+
 /// Writes data to a file as they are. Errors: the folder is missing or not ours, the disk is full;
 /// then no part of the file stays; or it is one of the files that are `read`.
 bool write_output_file(const std::string& path, const std::string& data, Diagnostics& diagnostics,

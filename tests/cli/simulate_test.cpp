@@ -77,5 +77,28 @@ TEST_F(SimulateTest, SaysWhatWentWrong) {
   EXPECT_NE(blown_up.out.find("GIVEN UP"), std::string::npos);
 }
 
+// Would catch: an option whose file is forgotten, so that it takes the robot or the scene behind it
+// to write over, and results that are lost at the end of a motion that would take hours.
+TEST_F(SimulateTest, RefusesFilesThatItWouldNotWriteBeforeItRuns) {
+  for (const char* option : {"simulate --csv", "simulate --svg", "draw -o", "bench --svg",
+                             "drive --record", "generate --depfile"}) {
+    for (const char* file : {"robot.urdf", "scene.yaml"}) {
+      const Outcome outcome =
+          test::run_program(root_, std::string(option) + " " + file + " " + kPlanar);
+      EXPECT_EQ(outcome.exit_code, 2) << option;
+      EXPECT_NE(outcome.err.find("is the name of a robot or a scene"), std::string::npos)
+          << option << outcome.err;
+    }
+  }
+  const std::string endless = " --seconds 1e6 --step 1e-5 --csv ";
+  const Outcome nowhere = run(kPlanar + endless + "nowhere/table.csv");
+  EXPECT_EQ(nowhere.exit_code, 1);
+  EXPECT_NE(nowhere.err.find("cannot be written"), std::string::npos) << nowhere.err;
+  fs::copy_file(kPlanar, root_ / "planar");
+  const Outcome itself = run("planar" + endless + "planar");
+  EXPECT_EQ(itself.exit_code, 1);
+  EXPECT_NE(itself.err.find("is read, and is not written over"), std::string::npos) << itself.err;
+}
+
 }  // namespace
 }  // namespace treeline
