@@ -52,7 +52,8 @@ void apply(const InputOptions& options, const std::string& scene_text, Scene& sc
   if (!options.name.empty()) {
     scene.name = options.name;
     if (!is_package_name(scene.name)) {
-      reject("--name", fmt::format("`{}` cannot be a name in C++ and CMake", scene.name),
+      reject("--name",
+             fmt::format("`{}` cannot be a name in emitted code and in CMake", scene.name),
              fmt::format("`{}` can.", package_name_from(scene.name)), diagnostics);
     }
   }

@@ -267,7 +267,7 @@ void check_joint_identifiers(const SceneElement& top, const Robot& robot,
     const std::string& name = robot.joints[static_cast<std::size_t>(owner)].name;
     const auto [first, is_new] = names.try_emplace(identifier_from(name), name);
     if (is_new) continue;
-    top.error(fmt::format("the joints \"{}\" and \"{}\" of {} would both be {} in C++",
+    top.error(fmt::format("the joints \"{}\" and \"{}\" of {} would both be {} in emitted code",
                           first->second, name, robot.file, first->first),
               "rename one of them in the URDF");
   }

@@ -60,7 +60,7 @@ class Reader {
     const auto name = found->second.text();
     if (!name) return {};
     if (!is_identifier(*name)) {
-      found->second.error(fmt::format("\"{}\" cannot be a name in C++", *name),
+      found->second.error(fmt::format("\"{}\" cannot be a name in emitted code", *name),
                           fmt::format("write {}", identifier_from(*name)));
     } else if (*name == kWorldLink) {
       found->second.error("this is what all robots stand in", "give the robot another name");

@@ -116,7 +116,7 @@ SceneObject read_object(const SceneElement& element, const Scene& scene) {
   if (const auto* name = find_required(element, fields, "name", "give the object a name")) {
     object.name = name->text().value_or("");
     if (!object.name.empty() && !is_identifier(object.name)) {
-      name->error(fmt::format("\"{}\" cannot be a name in C++", object.name),
+      name->error(fmt::format("\"{}\" cannot be a name in emitted code", object.name),
                   fmt::format("write {}", identifier_from(object.name)));
     }
   }

@@ -20,7 +20,7 @@ std::string read_point_name(const SceneElement& point, const SceneFields& fields
   }
   const auto name = found->second.text();
   if (name && !is_identifier(*name)) {
-    found->second.error(fmt::format("\"{}\" cannot be a name in C++", *name),
+    found->second.error(fmt::format("\"{}\" cannot be a name in emitted code", *name),
                         fmt::format("write {}", identifier_from(*name)));
   }
   return name.value_or("");

@@ -23,8 +23,7 @@ void read_name(const SceneElement& element, Scene& scene) {
   if (!name) return;
   if (!is_package_name(*name)) {
     element.error(
-        fmt::format("\"{}\" cannot be the name of a namespace in C++ and of a target in CMake",
-                    *name),
+        fmt::format("\"{}\" cannot be the name of emitted code and of a target in CMake", *name),
         fmt::format("write {}", package_name_from(*name)));
   }
   scene.name = *name;
