@@ -48,7 +48,8 @@ std::vector<TouchShape> find_touch_shapes(const std::string& urdf) {
   for (const Visual& shape : shapes) {
     const bool is_ball = shape.kind == VisualKind::sphere && !ends_a_cylinder(shape, shapes);
     if (!is_ball && shape.kind != VisualKind::box) continue;
-    found.push_back({shape.link, shape.pose, is_ball ? Eigen::Vector3d::Zero() : shape.size});
+    found.push_back({shape.link, shape.pose, is_ball ? Eigen::Vector3d::Zero() : shape.size,
+                     is_ball ? shape.size.x() : 0});
   }
   return found;
 }

@@ -14,12 +14,12 @@ struct Touch {
   Eigen::Vector3d place;
 };
 
-/// A ball's middle, and the middles of a box's sides.
-void add_touches(const TouchShape& shape, const Eigen::Isometry3d& link,
+/// The lowest point of a ball, and the middles of a box's sides.
+void add_touches(const TouchShape& shape, const Eigen::Isometry3d& link, const Eigen::Vector3d& up,
                  std::vector<Touch>& touches) {
   const Eigen::Isometry3d pose = link * shape.pose;
   if (shape.size.isZero()) {
-    touches.push_back({true, pose.translation()});
+    touches.push_back({true, pose.translation() - shape.radius * up});
     return;
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -31,15 +31,15 @@ void add_touches(const TouchShape& shape, const Eigen::Isometry3d& link,
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> place_foot(const Robot& robot, const BodyTree& tree,
-                                          const Body& body, const Eigen::Vector3d& up,
-                                          const std::vector<TouchShape>& shapes) {
+std::optional<FootPlace> place_foot(const Robot& robot, const BodyTree& tree, const Body& body,
+                                    const Eigen::Vector3d& up,
+                                    const std::vector<TouchShape>& shapes) {
   const auto frame = [&](int link) { return tree.frames[static_cast<std::size_t>(link)]; };
   std::vector<Touch> touches;
   for (const TouchShape& shape : shapes) {
     for (const int link : body.links) {
       const bool own = robot.links[static_cast<std::size_t>(link)].name == shape.link;
-      if (own) add_touches(shape, frame(link), touches);
+      if (own) add_touches(shape, frame(link), up, touches);
     }
   }
   const bool balls =
@@ -51,7 +51,7 @@ std::optional<Eigen::Vector3d> place_foot(const Robot& robot, const BodyTree& tr
       std::min_element(touches.begin(), touches.end(),
                        [&](const Touch& a, const Touch& b) { return height(a) < height(b); });
   const double floor = height(*lowest);
-  const Eigen::Isometry3d first = frame(body.links.front());
+  const Eigen::Vector3d joint = frame(body.links.front()).translation();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int number = 0;
   for (const Touch& touch : touches) {
@@ -59,11 +59,11 @@ std::optional<Eigen::Vector3d> place_foot(const Robot& robot, const BodyTree& tr
     sum += touch.place;
     ++number;
   }
-  Eigen::Vector3d way = sum / number - first.translation();
-  way += (floor - (first.translation() + way).dot(up)) * up;
+  Eigen::Vector3d way = sum / number - joint;
+  way += (floor - (joint + way).dot(up)) * up;
   const double least = balls ? -kLevel : kBelow * way.norm();  // a leg may be drawn as it lies
   if (way.norm() < kLevel || -way.dot(up) < least) return std::nullopt;
-  return first.linear().transpose() * way;
+  return FootPlace{joint + way, balls};
 }
 
 }  // namespace treeline

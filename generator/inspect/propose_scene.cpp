@@ -234,22 +234,22 @@ std::vector<End> find_ends(const Tree& tree, const RecognisedRobot& found) {
   return list;
 }
 
-/// Moves the point of a foot whose file has no frame where it touches. Returns where the point is.
-std::string place_at_tip(const Tree& tree, const End& end, const std::vector<TouchShape>& shapes,
-                         ScenePoint& point) {
-  const Body& body = tree.body(end.body);
+/// Where the foot at an end touches the ground; nothing of other ends.
+std::optional<FootPlace> place_of(const Tree& tree, const End& end,
+                                  const std::vector<TouchShape>& shapes) {
   const auto gravity = tree.robot.hints.gravity.value_or(Scene{}.gravity);
   const Eigen::Vector3d down(gravity[0], gravity[1], gravity[2]);
-  if (end.name.kind == EndKind::foot && end.link == body.links.front() && !down.isZero()) {
-    if (const auto at = place_foot(tree.robot, tree.bodies, body, -down.normalized(), shapes)) {
-      for (int i = 0; i < 3; ++i) {
-        point.origin.xyz[static_cast<std::size_t>(i)] =
-            std::round((*at)[i] * 1e5) / 1e5 + 0.0;  // no -0
-      }
-      return "where it collides with the ground: the file has no frame there";
-    }
+  if (end.name.kind != EndKind::foot || down.isZero()) return std::nullopt;
+  return place_foot(tree.robot, tree.bodies, tree.body(end.body), -down.normalized(), shapes);
+}
+
+/// Moves a point, whose frame is that of its link, to a place in the axes of the root.
+void move_to(const Tree& tree, const End& end, const Eigen::Vector3d& place, ScenePoint& point) {
+  const auto& frame = tree.bodies.frames[static_cast<std::size_t>(end.link)];
+  const Eigen::Vector3d at = frame.inverse() * place;
+  for (int i = 0; i < 3; ++i) {
+    point.origin.xyz[static_cast<std::size_t>(i)] = std::round(at[i] * 1e5) / 1e5 + 0.0;  // no -0
   }
-  return "at a joint: the file has no frame at the tip";
 }
 
 void guess_base(const Robot& robot, const RecognisedRobot& found, std::optional<Base> asked,
@@ -325,11 +325,18 @@ SceneProposal propose_scene(const Robot& robot, std::optional<Base> base,
     point.name = point_name(point.link, proposal.points);
     proposal.points.push_back(point);
     pointed.insert(end.body);
+    const auto place = place_of(tree, end, shapes);
+    const bool without_frame = end.at_joint && end.link == tree.body(end.body).links.front();
+    if (place && without_frame) move_to(tree, end, place->at, proposal.points.back());
     if (end.at_joint) {
-      proposal.remarks[point.link] = place_at_tip(tree, end, shapes, proposal.points.back());
+      proposal.remarks[point.link] =
+          !place || !without_frame ? "at a joint: the file has no frame at the tip"
+          : place->is_of_balls ? "where its ball touches the ground: the file has no frame there"
+                               : "where it collides with the ground: the file has no frame there";
     }
     if (end.name.kind == EndKind::foot && proposal.base == Base::floating) {
       proposal.feet.push_back(proposal.points.back());
+      if (place && place->is_of_balls) move_to(tree, end, place->at, proposal.feet.back());
     }
   }
   Scene scene;

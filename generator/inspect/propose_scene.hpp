@@ -19,14 +19,20 @@ struct TouchShape {
   std::string link;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< of its middle in the link's frame
   Eigen::Vector3d size = Eigen::Vector3d::Zero();          ///< edges of a box, m; 0 of a ball
+  double radius = 0;                                       ///< of a ball, m
 };
 
-/// Where a foot touches the ground, in the frame of its body's first link: the middle of its lowest
-/// balls, else of the lowest side of its boxes, at q = 0. Nothing where that is not below its
-/// joint.
-std::optional<Eigen::Vector3d> place_foot(const Robot& robot, const BodyTree& tree,
-                                          const Body& body, const Eigen::Vector3d& up,
-                                          const std::vector<TouchShape>& shapes);
+/// Where a foot touches the ground at q = 0, in the axes of the root.
+struct FootPlace {
+  Eigen::Vector3d at;
+  bool is_of_balls = false;
+};
+
+/// Finds it: below its lowest balls, else in the middle of the lowest side of its boxes. Nothing
+/// where that is not below its joint.
+std::optional<FootPlace> place_foot(const Robot& robot, const BodyTree& tree, const Body& body,
+                                    const Eigen::Vector3d& up,
+                                    const std::vector<TouchShape>& shapes);
 
 /// A scene to start from, guessed from the shape of a robot and its names.
 struct SceneProposal {

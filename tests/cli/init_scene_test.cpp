@@ -110,5 +110,14 @@ TEST_F(InitSceneTest, OverwritesNothing) {
   EXPECT_EQ(run("init-scene " + kPuma + " --base sideways").exit_code, 2);
 }
 
+// Would catch: a foot that is a ball whose radius is lost between the file and the proposal.
+TEST_F(InitSceneTest, FeetTouchUnderTheirBalls) {
+  const Outcome outcome = run("init-scene " TREELINE_ROBOTS "/tumbler/tumbler.urdf");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("contact: point, origin: {xyz: [0, -0.00887, -0.20866]}"),
+            std::string::npos)
+      << outcome.out;
+}
+
 }  // namespace
 }  // namespace treeline

@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "description/group_bodies.hpp"
 #include "inspect/scene_proposals.hpp"
 #include "interpreter/instances.hpp"
 #include "oracle/model_from_robot.hpp"
@@ -59,6 +60,42 @@ TEST(ProposeScene, LetsADogFloatOnFeetThatPush) {
   EXPECT_EQ(read_back(robot, proposal).base, Base::floating);
   EXPECT_EQ(propose_scene(robot, Base::fixed).base, Base::fixed);
   EXPECT_EQ(read_with(robot, proposal, "# ground:").constraints.size(), 4U);
+}
+
+// Would catch: a contact in the middle of a ball, a radius above where the ground pushes.
+TEST(ProposeScene, PutsContactsUnderBalls) {
+  std::vector<TouchShape> shapes;
+  const auto touch = [&](const std::string& link, const Eigen::Vector3d& middle) {
+    TouchShape ball{link};
+    ball.pose.translation() = middle;
+    ball.radius = 0.03;
+    shapes.push_back(ball);
+  };
+  for (const char* link : {"FL_foot", "FR_foot", "RL_foot", "RR_foot"}) touch(link, {0, 0, 0.01});
+  const SceneProposal dog = propose_scene(
+      read(robot_text("trunk", leg("FL") + leg("FR") + leg("RL") + leg("RR"))), {}, shapes);
+  ASSERT_EQ(dog.feet.size(), 4U);
+  EXPECT_EQ(dog.points[0].origin.xyz, (std::array<double, 3>{}));  // the file's frame
+  EXPECT_EQ(dog.feet[0].origin.xyz, (std::array{0.0, 0.0, -0.02}));
+
+  const Robot robot = read_own("tumbler");  // no frames at feet; the shanks lean
+  const BodyTree tree = group_bodies(robot);
+  shapes.clear();
+  for (const Link& link : robot.links) {
+    if (link.name.ends_with("shank")) touch(link.name, {0, 0, -0.18});
+  }
+  const SceneProposal tumbler = propose_scene(robot, {}, shapes);
+  ASSERT_EQ(tumbler.feet.size(), 4U);
+  for (const ScenePoint& foot : tumbler.feet) {
+    const auto& xyz = foot.origin.xyz;
+    const Eigen::Vector3d from_middle(xyz[0], xyz[1], xyz[2] + 0.18);
+    for (std::size_t i = 0; i < robot.links.size(); ++i) {
+      if (robot.links[i].name != foot.link) continue;
+      const Eigen::Vector3d down = tree.frames[i].linear() * from_middle;
+      EXPECT_LT((down - Eigen::Vector3d(0, 0, -0.03)).norm(), 2e-5) << foot.link;
+    }
+    EXPECT_NE(tumbler.remarks.at(foot.link).find("ball touches the ground"), std::string::npos);
+  }
 }
 
 // Would catch: points on fingers instead of on the hand that carries them.
