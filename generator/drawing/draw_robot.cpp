@@ -14,10 +14,10 @@ namespace {
 constexpr double kCaptions = 28;  // height of the captions, pixels
 constexpr double kLongest = 0.3;  // edge of a face, of the robot's size
 
+/// Colours are attributes, for renderers that know little CSS. Some of them look `currentColor` up
+/// where it is written and not where it is inherited: so the first rule repeats what the group has.
 constexpr const char* kStyle =
-    ".paper{fill:#fff}.ground{fill:#ecebe6;stroke:none}text{fill:#1c1c1c}"
-    ".path{fill:none;stroke:#c2410c;stroke-width:7;stroke-dasharray:15,10}.end{fill:#c2410c;"
-    "stroke:none}"
+    "[color]{fill:currentColor;stroke:currentColor}"
     "@media(prefers-color-scheme:dark){.paper{fill:#16181d}.ground{fill:#2a2d33}"
     "text{fill:#e6e6e6}}";
 
@@ -84,13 +84,14 @@ class Pictures {
     const std::string shown = title.empty() ? "" : fmt::format("<title>{}</title>\n", title);
     return report::open_svg(width, height(), "font-family=\"sans-serif\" font-size=\"14\"") +
            shown + "<style>" + kStyle + style +
-           "</style>\n<rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n";
+           "</style>\n<rect class=\"paper\" fill=\"#fff\" width=\"100%\" height=\"100%\"/>\n";
   }
 
   [[nodiscard]] std::string floor() const {
     if (floor_.empty()) return "";
     return scaled(
-        fmt::format("<path class=\"ground\" d=\"{}z\"/>\n", print_line(camera_.place(floor_))));
+        fmt::format("<path class=\"ground\" fill=\"#ecebe6\" stroke=\"none\" d=\"{}z\"/>\n",
+                    print_line(camera_.place(floor_))));
   }
 
   /// The picture of a moment, beside those before it, on this floor.
@@ -130,13 +131,15 @@ class Pictures {
     for (const auto& path : moments_[i].paths) {
       const Eigen::Vector2i end = camera_.place(path.back());
       text += fmt::format(
-          "<path class=\"path\" d=\"{}\"/>\n<circle class=\"end\" cx=\"{}\" cy=\"{}\" r=\"15\"/>\n",
+          "<path fill=\"none\" stroke=\"#c2410c\" stroke-width=\"7\" stroke-dasharray=\"15,10\" "
+          "d=\"{}\"/>\n<circle fill=\"#c2410c\" stroke=\"none\" cx=\"{}\" cy=\"{}\" r=\"15\"/>\n",
           print_line(camera_.place(path)), end.x(), end.y());
     }
-    return scaled(text) +
-           fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>\n",
-                       0.5 * width_, camera_.height() + 0.6 * kCaptions,
-                       report::escape_xml(printable(moments_[i].caption)));
+    return scaled(text) + fmt::format(
+                              "<text fill=\"#1c1c1c\" x=\"{:.0f}\" y=\"{:.0f}\" "
+                              "text-anchor=\"middle\">{}</text>\n",
+                              0.5 * width_, camera_.height() + 0.6 * kCaptions,
+                              report::escape_xml(printable(moments_[i].caption)));
   }
 
   static std::string scaled(const std::string& text) {

@@ -53,11 +53,11 @@ TEST_F(DrawTest, DrawsThePathOfAPoint) {
   write("motion.csv", "time,q0\n0,0\n1,1\n");
   const std::string scene = kRobots + "/planar3r/scene.yaml";
   const std::string files = planar_ + " " + scene + " --motion motion.csv";
-  EXPECT_EQ(draw(files).out.find("class=\"path\" d"), std::string::npos);
+  EXPECT_EQ(draw(files).out.find("stroke-dasharray"), std::string::npos);
   const auto outcome = draw(files + " --path tip");
-  EXPECT_NE(outcome.out.find("class=\"path\" d"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("stroke-dasharray"), std::string::npos) << outcome.err;
   const auto both = draw(files + " --path tip,link3").out;  // of a point, and of a link
-  EXPECT_NE(both.find("class=\"path\" d"), both.rfind("class=\"path\" d"));
+  EXPECT_NE(both.find("stroke-dasharray"), both.rfind("stroke-dasharray"));
   const auto wrong = draw(files + " --path tipp");
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.err.find("did you mean"), std::string::npos) << wrong.err;

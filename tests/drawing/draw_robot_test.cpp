@@ -259,8 +259,22 @@ TEST(DrawRobot, IsTheSameEachTimeAndHasColoursForDarkPages) {
   const std::string svg = Arm().draw(moments);
   EXPECT_EQ(svg, Arm().draw(moments));
   EXPECT_EQ(count(svg, "prefers-color-scheme:dark"), 1U);
-  EXPECT_EQ(count(svg, "<text x"), 2U);
+  EXPECT_EQ(count(svg, "<text fill=\"#1c1c1c\" x"), 2U);
   EXPECT_EQ(count(svg, "class=\"ground\""), 2U);
+}
+
+// Would catch: a picture that is black where `currentColor` is looked up where it is written, as by
+// CairoSVG: every shape has its colour as an attribute, or gets its own by a rule of its own.
+TEST(DrawRobot, ShapesHaveTheirColoursWhereInheritanceIsNotKnown) {
+  const std::vector<Eigen::Vector3d> path = {{0, 0, 0}, {1, 0, 0}};
+  const std::string svg = Arm().draw({{{0, 0.5}, "a", {path}, {}}});
+  EXPECT_EQ(count(svg, "[color]{fill:currentColor;stroke:currentColor}"), 1U);
+  const std::regex shape("<(path|circle|text|rect)[^>]*>");
+  int shapes = 0;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), shape), end; at != end; ++at, ++shapes) {
+    EXPECT_TRUE(std::regex_search(at->str(), std::regex(" (color|fill)=\"(#|none)"))) << at->str();
+  }
+  EXPECT_GT(shapes, 10);
 }
 
 // A pyramid in the hand, and its mirror image. Would catch: the inside of a mesh that is drawn, a
