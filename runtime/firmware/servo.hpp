@@ -36,7 +36,8 @@ struct Timing {
 
 /// The loop. `Controller` is `NAME::Controller` of the emitted header, `Clock` any callable that
 /// returns a running count of 32 bits, which may wrap. No member allocates, waits or throws. `tick`
-/// and `post` must not interrupt each other: mask the timer's interrupt around `post`.
+/// must not interrupt the others: mask the timer's interrupt around `post`, and around copies of
+/// what the main program takes of `output` and the statistics, whose numbers belong together.
 template <class Controller, class Clock, size_t waiting, size_t bins>
 class Servo {
  public:

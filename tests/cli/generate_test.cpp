@@ -390,17 +390,5 @@ TEST_F(GenerateTest, BadUsageIsTwo) {
   EXPECT_NE(run("--help").out.find("Examples:"), std::string::npos);
 }
 
-// Would catch: a name that is told as a fault of C++ where code of another language is asked for.
-TEST_F(GenerateTest, SpeaksOfNoOtherLanguageThanTheCodes) {
-  for (const char* language : {"c", "c++", "opencl"}) {
-    const Outcome outcome =
-        run(kUrdf + " -o out --warnings none --name int --language " + language);
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_NE(outcome.err.find("`int` cannot be a name in emitted code"), std::string::npos)
-        << outcome.err;
-    EXPECT_EQ(outcome.err.find("C++"), std::string::npos) << outcome.err;
-  }
-}
-
 }  // namespace
 }  // namespace treeline

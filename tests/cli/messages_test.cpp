@@ -375,5 +375,17 @@ TEST_F(MessagesTest, CheckStatesTheCircle) {
   EXPECT_GT(json["functions"][0]["rounding"]["states"].get<int>(), 0);
 }
 
+// Would catch: a name that is told as a fault of C++ where code of another language is asked for.
+TEST_F(MessagesTest, SpeakOfNoOtherLanguageThanTheCodes) {
+  for (const char* language : {"c", "c++", "opencl"}) {
+    const Outcome outcome = run("generate arm.urdf -o out --warnings none --name int --language " +
+                                std::string(language));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.err.find("`int` cannot be a name in emitted code"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(outcome.err.find("C++"), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace treeline
