@@ -72,38 +72,38 @@ TEST_F(Surroundings, NoPartOfAFileStays) {
 }
 
 // Would catch: a robot that is lost because an option's value was left out or mistyped.
+// Options refuse names of robots and scenes before they look: here they are named otherwise.
 TEST_F(Surroundings, WhatWasReadIsNotWrittenOver) {
   const std::string robot = read_file(kUrdf);
-  std::ofstream(root_ / "arm.urdf") << robot;
-  fs::create_symlink("arm.urdf", root_ / "link.urdf");
+  std::ofstream(root_ / "arm") << robot;
+  fs::create_symlink("arm", root_ / "link");
   for (const char* arguments :
-       {"simulate arm.urdf --seconds 0.1 --csv arm.urdf",
-        "simulate arm.urdf --seconds 0.1 --svg link.urdf", "draw arm.urdf --svg ./arm.urdf",
-        "inspect arm.urdf --repair arm.urdf", "convert arm.urdf -o arm.urdf",
-        "init-scene arm.urdf -o arm.urdf --force", "drive arm.urdf --headless --record arm.urdf",
-        "generate arm.urdf -o out --functions gravity --safety arm.urdf",
-        "generate arm.urdf -o out --functions gravity --depfile arm.urdf"}) {
+       {"simulate arm --seconds 0.1 --csv arm", "simulate arm --seconds 0.1 --svg link",
+        "draw arm --svg ./arm", "inspect arm --repair arm", "convert arm -o arm",
+        "init-scene arm -o arm --force", "drive arm --headless --record arm",
+        "generate arm -o out --functions gravity --safety arm",
+        "generate arm -o out --functions gravity --depfile arm"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 1) << arguments;
     EXPECT_NE(outcome.err.find("is not written over"), std::string::npos) << outcome.err;
-    EXPECT_EQ(read_file(root_ / "arm.urdf"), robot) << arguments;
+    EXPECT_EQ(read_file(root_ / "arm"), robot) << arguments;
   }
 }
 
 // Would catch: the robot of a scene that lists robots, which the command line does not name.
 TEST_F(Surroundings, RobotsOfASceneAreNotWrittenOver) {
   const std::string robot = read_file(kUrdf);
-  std::ofstream(root_ / "arm.urdf") << robot;
-  std::ofstream(root_ / "pair.yaml") << "robots: [{name: left, urdf: arm.urdf}]\n"
+  std::ofstream(root_ / "arm") << robot;
+  std::ofstream(root_ / "pair.yaml") << "robots: [{name: left, urdf: arm}]\n"
                                         "functions: [gravity]\n";
   for (const char* arguments :
-       {"simulate pair.yaml --seconds 0.1 --csv arm.urdf", "draw pair.yaml --svg arm.urdf",
-        "bench pair.yaml --quick --svg arm.urdf", "drive pair.yaml --headless --record arm.urdf",
-        "generate pair.yaml -o out --depfile arm.urdf"}) {
+       {"simulate pair.yaml --seconds 0.1 --csv arm", "draw pair.yaml --svg arm",
+        "bench pair.yaml --quick --svg arm", "drive pair.yaml --headless --record arm",
+        "generate pair.yaml -o out --depfile arm"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 1) << arguments;
     EXPECT_NE(outcome.err.find("is not written over"), std::string::npos) << outcome.err;
-    EXPECT_EQ(read_file(root_ / "arm.urdf"), robot) << arguments;
+    EXPECT_EQ(read_file(root_ / "arm"), robot) << arguments;
   }
 }
 
