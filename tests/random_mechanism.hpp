@@ -244,6 +244,16 @@ inline void add_friction_and_springs(Rng& rng, const RandomOptions& options, con
 
 }  // namespace detail
 
+/// The centre of mass as a point, with one to three of its rows.
+inline ScenePoint random_center(Rng& rng) {
+  ScenePoint point;
+  point.name = "center";
+  point.center_of_mass = true;
+  point.rows = {rng.chance(0.7), rng.chance(0.7), rng.chance(0.7), false, false, false};
+  point.rows[detail::at(rng.below(3))] = true;
+  return point;
+}
+
 /// Draws a robot and a scene from `seed`. The scene asks for all functions. With fewer degrees of
 /// freedom than controlled rows, or with points on links that do not move, Lambda does not exist
 /// but its inverse does.

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "description/read_keys.hpp"
+#include "description/robot_queries.hpp"
 #include "description/scene_inputs.hpp"
 #include "description/scene_queries.hpp"
 #include "description/urdf_parts.hpp"
@@ -36,11 +37,6 @@ bool lacks_motors(const Robot& robot, const Scene& scene) {
   return scene.base == Base::floating || !scene.passive.empty() ||
          std::any_of(robot.joints.begin(), robot.joints.end(),
                      [](const Joint& joint) { return joint.type == JointType::floating; });
-}
-
-bool has_mass(const Robot& robot) {
-  return std::any_of(robot.links.begin(), robot.links.end(),
-                     [](const Link& link) { return link.inertial && link.inertial->mass > 0; });
 }
 
 /// All functions that the scene can have; where M is known to have no inverse, those without it.
@@ -87,7 +83,7 @@ void check_functions(const SceneElement& list, const Robot& robot, const std::st
                  "add a list objects, or remove the function");
     } else if (needs_constraints(function) && !permits(robot, scene, function)) {
       report_constraints(list, scene, function);
-    } else if (needs_mass(function) && !has_mass(robot)) {
+    } else if (needs_mass(function) && !(total_mass(robot) > 0)) {
       list.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
                  "give some link mass in the URDF, or remove the function");
     } else if (scene.inputs.base_parameters && exceeds_base_parameters(scene, function)) {
@@ -236,15 +232,17 @@ void check_rows(const SceneElement& top, const Robot& robot, const Scene& scene)
   std::string names;
   bool complained = false;
   for (const ScenePoint& point : scene.operational_points) {
-    const Freedoms own = find_freedoms_of_link(robot, scene, point.link);
+    const Freedoms own = find_freedoms_of(robot, scene, point);
     const long own_rows = std::count(point.rows.begin(), point.rows.end(), true);
     if (own_rows > count(own)) {
       complain_of_rows(
           top, scene,
           fmt::format(
-              "point \"{}\" has {} rows, but its link \"{}\" moves with {} coordinates only: "
+              "point \"{}\" has {} rows, but {} moves with {} coordinates only: "
               "{}",
-              point.name, own_rows, point.link, count(own), list_rows(point)));
+              point.name, own_rows,
+              point.center_of_mass ? kCenterOfMass : fmt::format("its link \"{}\"", point.link),
+              count(own), list_rows(point)));
       complained = true;
     }
     all.insert(own.begin(), own.end());
@@ -330,6 +328,7 @@ void complete_scene(const SceneElement& top, const SceneElement& list, const Rob
     top.warn("the base floats, but the root link is called \"world\"",
              "write base: fixed if that link is the ground");
   }
+  if (!check_center_of_mass(top, robot, scene)) return;
   const std::string singular = find_singular(robot, scene);
   if (!listed) {
     choose_functions(robot, singular, scene);

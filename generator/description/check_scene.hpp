@@ -40,6 +40,9 @@ void add_functions_of_limits(const Robot& robot, Scene& scene);
 /// Reports what limits of torques and friction lack.
 void check_limits(const SceneElement& top, const Robot& robot, const Scene& scene);
 
+/// Reports what cannot be combined with a task of the centre of mass; false where it does.
+bool check_center_of_mass(const SceneElement& top, const Robot& robot, const Scene& scene);
+
 /// Reports hands that cannot hold what the scene says: fewer coordinates than the grasps have rows,
 /// grasps at one place, on a line or in a plane where the virtual linkage needs more.
 void check_objects(const SceneElement& top, const Robot& robot, const Scene& scene);

@@ -62,6 +62,11 @@ Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std
   return freedoms;
 }
 
+Freedoms find_freedoms_of(const Robot& robot, const Scene& scene, const ScenePoint& point) {
+  return point.center_of_mass ? find_freedoms(robot, scene)
+                              : find_freedoms_of_link(robot, scene, point.link);
+}
+
 bool moves_against(const Robot& robot, const Scene& scene, const std::string& link,
                    const std::string& other) {
   const std::set<int> above = joints_above(robot, link);

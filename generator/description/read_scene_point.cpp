@@ -111,12 +111,33 @@ int read_priority(const SceneElement& element) {
   return 1;
 }
 
+/// The rows of the centre of mass, and errors for what only frames on links have.
+void read_center_of_mass(const SceneFields& fields, ScenePoint& point) {
+  constexpr const char* kRemedy =
+      "the centre of mass is on no link, and its rows are in world axes: leave out this key";
+  for (const char* key : {"link", "origin"}) {
+    if (const auto found = fields.find(key); found != fields.end()) {
+      found->second.error(fmt::format("the centre of mass has no {}", key), kRemedy);
+    }
+  }
+  if (point.axes == Axes::local) {
+    fields.at("axes").error("the centre of mass has no axes of its own", kRemedy);
+  }
+  if (!fields.contains("rows")) point.rows = {true, true, true, false, false, false};
+  if (point.rows[3] || point.rows[4] || point.rows[5]) {
+    fields.at("rows").error("the centre of mass does not turn", "list some of x y z");
+  }
+}
+
 ScenePoint read_point(const SceneElement& element, const Robot& robot,
                       const std::vector<std::string>& keys) {
   ScenePoint point;
   const SceneFields fields = element.fields(keys);
   point.name = read_point_name(element, fields);
-  point.link = read_link_name(element, fields, robot);
+  if (const auto center = fields.find("center_of_mass"); center != fields.end()) {
+    point.center_of_mass = center->second.choice({"false", "true"}) == 1;
+  }
+  if (!point.center_of_mass) point.link = read_link_name(element, fields, robot);
   if (const auto origin = fields.find("origin"); origin != fields.end()) {
     point.origin = read_origin(origin->second);
   }
@@ -129,6 +150,7 @@ ScenePoint read_point(const SceneElement& element, const Robot& robot,
   if (const auto priority = fields.find("priority"); priority != fields.end()) {
     point.priority = read_priority(priority->second);
   }
+  if (point.center_of_mass) read_center_of_mass(fields, point);
   return point;
 }
 
@@ -141,6 +163,9 @@ std::vector<ScenePoint> read_points(const SceneElement& element, const Robot& ro
     if (!point.name.empty() && std::any_of(points.begin(), points.end(), same_name)) {
       item.error(fmt::format("the name \"{}\" is already taken in this list", point.name),
                  "give each a name of its own");
+    }
+    if (point.center_of_mass && std::any_of(points.begin(), points.end(), is_center_of_mass)) {
+      item.error("the centre of mass is listed twice", "list all of its rows at one point");
     }
     points.push_back(std::move(point));
   }
@@ -178,7 +203,8 @@ Pose read_origin(const SceneElement& element) {
 }
 
 std::vector<ScenePoint> read_operational_points(const SceneElement& element, const Robot& robot) {
-  return read_points(element, robot, {"name", "link", "origin", "rows", "axes", "priority"});
+  return read_points(element, robot,
+                     {"name", "link", "center_of_mass", "origin", "rows", "axes", "priority"});
 }
 
 std::vector<ScenePoint> read_external_forces(const SceneElement& element, const Robot& robot) {

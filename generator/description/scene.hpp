@@ -56,7 +56,8 @@ enum class SingularTasks { smooth, exact, early };
 
 /// A frame fixed to a link: an operational point, or the place where an external force acts.
 /// `axes` are those in which its rows (linear over angular) are expressed; the reference point is
-/// always the frame's origin. `axes: world` means the world's axes.
+/// always the frame's origin. `axes: world` means the world's axes. An operational point may be the
+/// centre of mass of everything in the scene, with rows of translation in world axes and no link.
 struct ScenePoint {
   std::string name;
   std::string link;
@@ -64,7 +65,12 @@ struct ScenePoint {
   Axes axes = Axes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
   int priority = 1;  ///< of an operational point's task: 1 comes first; equal ones share a level
+  bool center_of_mass = false;
 };
+
+inline bool is_center_of_mass(const ScenePoint& point) {
+  return point.center_of_mass;
+}
 
 /// A wheel or ball around a frame's origin that rolls without slipping on the plane z = 0 of
 /// another frame, or on a ball around that frame's origin.

@@ -14,6 +14,9 @@ namespace treeline {
 /// Names of a point's rows in scenes: along and about the axes.
 inline constexpr std::array kRowNames = {"x", "y", "z", "rx", "ry", "rz"};
 
+/// What messages and texts call it.
+inline constexpr const char* kCenterOfMass = "the centre of mass";
+
 /// The rows of the point that are controlled, in their order: "x y rz".
 std::string list_rows(const ScenePoint& point, std::string_view between = " ");
 
@@ -48,6 +51,9 @@ Freedoms find_freedoms(const Robot& robot, const Scene& scene);
 
 /// Coordinates that move a link in the world. A mimic joint counts as the joint that it follows.
 Freedoms find_freedoms_of_link(const Robot& robot, const Scene& scene, const std::string& link);
+
+/// Coordinates that move an operational point: all may move the centre of mass.
+Freedoms find_freedoms_of(const Robot& robot, const Scene& scene, const ScenePoint& point);
 
 /// Whether some joint between two links moves.
 bool moves_against(const Robot& robot, const Scene& scene, const std::string& link,

@@ -105,6 +105,7 @@ std::string origin_text(const Pose& origin) {
 }
 
 std::string frame_text(const ScenePoint& point) {
+  if (point.center_of_mass) return "world axes";
   return origin_text(point.origin) +
          (point.axes == Axes::world ? " in the link, world axes" : " in the link, own axes");
 }
@@ -116,8 +117,8 @@ std::vector<EmissionContext::PointRow> point_rows(const std::vector<ScenePoint>&
   for (const ScenePoint& point : points) {
     const std::string priority =
         prioritized ? fmt::format(", priority {}", point.priority) : std::string();
-    rows.push_back(
-        {point.name, point.link, frame_text(point) + priority, list_rows(point), first_row});
+    rows.push_back({point.name, point.center_of_mass ? "all links, the centre of mass" : point.link,
+                    frame_text(point) + priority, list_rows(point), first_row});
     for (const bool on : point.rows) {
       first_row += on ? 1 : 0;
     }

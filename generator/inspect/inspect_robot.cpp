@@ -191,7 +191,8 @@ class Walk {
 };
 
 PointReport inspect_point(const ScenePoint& point) {
-  return {point.name, point.link, point.axes == Axes::world ? "world" : "local", list_rows(point)};
+  return {point.name, point.center_of_mass ? kCenterOfMass : point.link,
+          point.axes == Axes::world ? "world" : "local", list_rows(point)};
 }
 
 int count_nonzero(const Inertia& inertia) {

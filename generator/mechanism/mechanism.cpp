@@ -43,6 +43,12 @@ void resolve_inertia(Mechanism& mechanism, MovingLink& link) {
                 mechanism.noise);
 }
 
+bool has_center_of_mass(const Mechanism& mechanism) {
+  const auto& points = mechanism.operational_points;
+  return std::any_of(points.begin(), points.end(),
+                     [](const MechanismPoint& point) { return point.center_of_mass; });
+}
+
 int MechanismPoint::row_count() const {
   return static_cast<int>(std::count(rows.begin(), rows.end(), true));
 }

@@ -72,7 +72,8 @@ struct MovingLink : JointStep {
   bool defers_rotation = false, carries_column = false;
 };
 
-/// An operational point, or the place of an external force, on a moving link or on the world (-1).
+/// An operational point, or the place of an external force, on a moving link or on the world (-1),
+/// or the centre of mass of all links, as if on the world.
 struct MechanismPoint {
   std::string name;
   int link = -1;
@@ -80,6 +81,7 @@ struct MechanismPoint {
   Axes axes = Axes::world;
   std::array<bool, 6> rows{true, true, true, true, true, true};
   int priority = 1;  ///< see `ScenePoint`
+  bool center_of_mass = false;
   [[nodiscard]] int row_count() const;
   [[nodiscard]] bool all_rows() const { return row_count() == 6; }
 };
@@ -221,6 +223,9 @@ struct Mechanism {
   [[nodiscard]] int anchored_rows() const;  ///< of the constraints to the world
   [[nodiscard]] bool has_mimics() const;
 };
+
+/// Whether an operational point is the centre of mass.
+bool has_center_of_mass(const Mechanism& mechanism);
 
 /// Drops inertial parameters of the link that nearly vanish relative to the moments of everything
 /// that it carries, and records this. See `resolved`.

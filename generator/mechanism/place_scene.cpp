@@ -23,6 +23,9 @@ const LinkPlace& place_of(const PlacedRobot& placed, const std::string& link) {
 }
 
 MechanismPoint point(const PlacedRobot& placed, const ScenePoint& wanted, Mechanism& mechanism) {
+  if (wanted.center_of_mass) {
+    return {wanted.name, -1, {}, wanted.axes, wanted.rows, wanted.priority, true};
+  }
   const LinkPlace& place = place_of(placed, wanted.link);
   const Digits50Pose pose =
       resolved_as(place.pose * digits50_pose(wanted.origin), wanted.name, mechanism);

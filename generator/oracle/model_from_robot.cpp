@@ -227,6 +227,7 @@ interpreter::Points<Scalar> points_from_scene(const interpreter::Model<Scalar>& 
         from.axes == Axes::world ? interpreter::PointAxes::world : interpreter::PointAxes::local;
     point.rows = from.rows;
     point.priority = from.priority;
+    point.center_of_mass = from.center_of_mass;
     points.push_back(point);
   }
   return points;

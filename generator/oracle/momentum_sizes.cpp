@@ -123,7 +123,7 @@ Eigen::VectorXd TermSizes::point_velocities(const std::vector<double>& qd) const
   Eigen::VectorXd sizes(6 * static_cast<Eigen::Index>(subject_.points.size()));
   Eigen::Index row = 0;
   for (const auto& point : subject_.points) {
-    const Motion of = motion(columns(point.body, point.p.norm()), qd, none);
+    const Motion of = motion_of(point, qd, none);
     sizes.segment<3>(row).setConstant(of.v);
     sizes.segment<3>(row + 3).setConstant(of.w);
     row += 6;
@@ -136,7 +136,7 @@ Eigen::VectorXd TermSizes::point_accelerations(const std::vector<double>& qd,
   Eigen::VectorXd sizes(6 * static_cast<Eigen::Index>(subject_.points.size()));
   Eigen::Index row = 0;
   for (const auto& point : subject_.points) {
-    const Motion of = motion(columns(point.body, point.p.norm()), qd, qdd);
+    const Motion of = motion_of(point, qd, qdd);
     sizes.segment<3>(row).setConstant(of.a);
     sizes.segment<3>(row + 3).setConstant(of.alpha);
     row += 6;

@@ -116,6 +116,22 @@ TermSizes::Motion TermSizes::motion(const Columns& columns, const std::vector<do
   return sum;
 }
 
+/// Of the centre of mass the means over the bodies; nothing of it turns.
+TermSizes::Motion TermSizes::motion_of(const interpreter::OperationalPoint<double>& point,
+                                       const std::vector<double>& qd,
+                                       const std::vector<double>& qdd) const {
+  if (!point.center_of_mass) return motion(columns(point.body, point.p.norm()), qd, qdd);
+  const auto& model = subject_.model;
+  Motion mean;
+  for (int i = 0; i < model.size(); ++i) {
+    const double share = model.body(i).mass / interpreter::total_mass(model);
+    const Motion of = motion(columns(i, model.body(i).com.norm()), qd, qdd);
+    mean.v += share * of.v;
+    mean.a += share * of.a;
+  }
+  return mean;
+}
+
 Eigen::MatrixXd TermSizes::mass_matrix() const {
   const auto& model = subject_.model;
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(model.nv, model.nv);
@@ -249,6 +265,12 @@ Eigen::MatrixXd TermSizes::jacobian() const {
       Eigen::MatrixXd::Zero(interpreter::row_count(subject_.points), subject_.model.nv);
   int row = 0;
   for (const auto& point : subject_.points) {
+    if (point.center_of_mass) {
+      const auto count = std::count(point.rows.begin(), point.rows.end(), true);
+      J.middleRows(row, count) = center_of_mass_jacobian().topRows(count);
+      row += static_cast<int>(count);
+      continue;
+    }
     const Columns own = columns(point.body, point.p.norm());
     for (std::size_t i = 0; i < 6; ++i) {
       if (!point.rows[i]) continue;
@@ -264,7 +286,7 @@ Eigen::VectorXd TermSizes::bias(const std::vector<double>& qd) const {
   Eigen::VectorXd rows(interpreter::row_count(subject_.points));
   int row = 0;
   for (const auto& point : subject_.points) {
-    const Motion of = motion(columns(point.body, point.p.norm()), qd, none);
+    const Motion of = motion_of(point, qd, none);
     const bool turns = point.axes == interpreter::PointAxes::local;
     const double linear = of.a + (turns ? of.w * of.v : 0);
     for (std::size_t i = 0; i < 6; ++i) {
@@ -279,7 +301,8 @@ Eigen::VectorXd TermSizes::poses() const {
   Eigen::VectorXd sizes = Eigen::VectorXd::Ones(12 * count);
   for (Eigen::Index e = 0; e < count; ++e) {
     const auto& point = subject_.points[static_cast<std::size_t>(e)];
-    sizes.segment<3>(3 * e).setConstant(path_to(point.body) + point.p.norm());
+    sizes.segment<3>(3 * e).setConstant(
+        point.center_of_mass ? center_of_mass()(0) : path_to(point.body) + point.p.norm());
   }
   return sizes;
 }

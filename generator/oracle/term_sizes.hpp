@@ -127,6 +127,10 @@ class TermSizes {
   [[nodiscard]] Motion motion(const Columns& columns, const std::vector<double>& qd,
                               const std::vector<double>& qdd) const;
 
+  [[nodiscard]] Motion motion_of(const interpreter::OperationalPoint<double>& point,
+                                 const std::vector<double>& qd,
+                                 const std::vector<double>& qdd) const;
+
   const Subject<double>& subject_;
   std::vector<double> q_;
   std::vector<double> lengths_;  ///< by body: path from its parent's origin to its own, m

@@ -4,13 +4,6 @@
 
 namespace treeline::interpreter {
 
-template <class Scalar>
-Scalar total_mass(const Model<Scalar>& model) {
-  Scalar mass(0);
-  for (const auto& body : model.bodies) mass += body.mass;
-  return mass;
-}
-
 /// Centre of mass of all bodies, m, world axes. The model's mass must be positive.
 template <class Scalar>
 Vector3<Scalar> center_of_mass(const Model<Scalar>& model, VectorArg<Scalar> q) {

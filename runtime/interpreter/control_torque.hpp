@@ -51,8 +51,8 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd);
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
-  add_point_forces<Scalar>(external_points, k, f_ext, external);
-  add_point_forces<Scalar>(points, k, -F, external);
+  add_point_forces<Scalar>(model, external_points, k, f_ext, external);
+  add_point_forces<Scalar>(model, points, k, -F, external);
   return detail::newton_euler<Scalar>(model, k, qdd_0, external) +
          joint_forces<Scalar>(model, q, qd);
 }
@@ -81,8 +81,8 @@ Vector<Scalar> control_torque(const Model<Scalar>& model, PointsArg<Scalar> poin
   const Vector<Scalar> F = task_force<Scalar>(model, points, q, qd, qdd_0, xdd_cmd, law);
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
-  add_point_forces<Scalar>(external_points, k, f_ext, external);
-  add_point_forces<Scalar>(points, k, -F, external);
+  add_point_forces<Scalar>(model, external_points, k, f_ext, external);
+  add_point_forces<Scalar>(model, points, k, -F, external);
   return detail::newton_euler<Scalar>(model, k, qdd_0, external) +
          joint_forces<Scalar>(model, q, qd);
 }

@@ -76,7 +76,7 @@ Vector<Scalar> forward_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
   }
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
-  add_point_forces<Scalar>(external_points, k, f_ext, external);
+  add_point_forces<Scalar>(model, external_points, k, f_ext, external);
   const Vector<Scalar> net = tau - joint_forces<Scalar>(model, q, qd);
   return detail::articulated_body<Scalar>(model, k, net, external);
 }

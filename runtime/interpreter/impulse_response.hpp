@@ -73,7 +73,7 @@ ImpulseResponse<Scalar> impulse_response(const Model<Scalar>& model, PointsArg<S
                                          VectorArg<Scalar> q, VectorArg<Scalar> impulses) {
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
   PerBody<Vector6<Scalar>> y(model.size(), Vector6<Scalar>::Zero());
-  add_point_forces<Scalar>(contacts, k, impulses, y);
+  add_point_forces<Scalar>(model, contacts, k, impulses, y);
   if (model.has_mimics()) return detail::impulses_by_mass_matrix<Scalar>(model, k, y, q);
   return detail::propagate_impulses<Scalar>(model, k, std::move(y));
 }

@@ -63,7 +63,7 @@ Vector<Scalar> inverse_dynamics(const Model<Scalar>& model, VectorArg<Scalar> q,
                                 PointsArg<Scalar> external_points, VectorArg<Scalar> f_ext) {
   const auto k = kinematics<Scalar>(model, q, qd);
   PerBody<Vector6<Scalar>> external(model.size(), Vector6<Scalar>::Zero());
-  add_point_forces<Scalar>(external_points, k, f_ext, external);
+  add_point_forces<Scalar>(model, external_points, k, f_ext, external);
   return detail::newton_euler<Scalar>(model, k, qdd, external) + joint_forces<Scalar>(model, q, qd);
 }
 

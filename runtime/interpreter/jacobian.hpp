@@ -12,11 +12,14 @@ Matrix<Scalar> all_rows_jacobian(const Model<Scalar>& model, const Points<Scalar
   Matrix<Scalar> J = Matrix<Scalar>::Zero(6 * static_cast<int>(points.size()), model.nv);
   int row = 0;
   for (const auto& e : points) {
-    Matrix6<Scalar> to_point = point_transform(e, k).transpose();
-    for (int i = e.body; i != kWorld; i = model.body(i).parent) {
-      const Body<Scalar>& body = model.body(i);
-      J.block(row, body.v, 6, k.S[i].cols()) += body.multiplier * (to_point * k.S[i]);
-      to_point = (to_point * k.X[i].transpose()).eval();
+    for (const auto& part : parts_of(model, e)) {
+      Matrix6<Scalar> to_point =
+          part.weights.asDiagonal() * point_transform(part.point, k).transpose();
+      for (int i = part.point.body; i != kWorld; i = model.body(i).parent) {
+        const Body<Scalar>& body = model.body(i);
+        J.block(row, body.v, 6, k.S[i].cols()) += body.multiplier * (to_point * k.S[i]);
+        to_point = (to_point * k.X[i].transpose()).eval();
+      }
     }
     row += 6;
   }

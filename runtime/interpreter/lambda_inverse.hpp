@@ -91,11 +91,14 @@ Matrix<Scalar> lambda_inverse_by_mass_matrix(const Model<Scalar>& model,
 /// Lambda^-1 = J M^-1 J^T, rows x rows over the controlled rows of all points, by force propagation
 /// with branching (Chang table 5.3): the acceleration of each point per force at each point. A
 /// floating base needs no special rule, because its joint with S = 1 gives Omega = IA^-1. With
-/// mimic joints, to which the table does not apply, it is J G (G^T M G)^-1 G^T J^T.
+/// mimic joints, to which the table does not apply, it is J G (G^T M G)^-1 G^T J^T, and likewise
+/// with the centre of mass, which is on all bodies.
 template <class Scalar>
 Matrix<Scalar> lambda_inverse(const Model<Scalar>& model, PointsArg<Scalar> points,
                               VectorArg<Scalar> q) {
-  if (model.has_mimics()) return detail::lambda_inverse_by_mass_matrix<Scalar>(model, points, q);
+  if (model.has_mimics() || has_center_of_mass(points)) {
+    return detail::lambda_inverse_by_mass_matrix<Scalar>(model, points, q);
+  }
   const auto k = kinematics<Scalar>(model, q, Vector<Scalar>::Zero(model.nv));
   const detail::ForcePropagation<Scalar> forces(model, k);
   const int blocks = static_cast<int>(points.size());

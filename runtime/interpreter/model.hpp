@@ -94,7 +94,8 @@ int add_body(Model<Scalar>& model, Body<Scalar> body) {
 enum class PointAxes { world, local };
 
 /// A frame fixed to a body: an operational point, or the place where an external force acts. Its
-/// rows are [linear; angular] motion or force at its origin, in world axes or its own.
+/// rows are [linear; angular] motion or force at its origin, in world axes or its own. Or the
+/// centre of mass of all bodies, of which nothing but linear rows in world axes has a meaning.
 template <class Scalar>
 struct OperationalPoint {
   std::string name;
@@ -105,6 +106,7 @@ struct OperationalPoint {
   std::array<bool, 6> rows{true, true, true, true, true, true};  ///< x y z rx ry rz
   int priority = 1;          ///< of the task at the point: 1 comes first, see `control_torque`
   Scalar share = Scalar(1);  ///< 0 to 1, to which the task is done, see `with_shares`
+  bool center_of_mass = false;
 };
 
 /// The place of an external force, which always has all six rows. The force is positive if it acts
@@ -158,7 +160,7 @@ Points<To> cast(const Points<From>& points) {
   Points<To> result;
   for (const auto& e : points) {
     result.push_back({e.name, e.body, e.R.unaryExpr(to), e.p.unaryExpr(to), e.axes, e.rows,
-                      e.priority, to(e.share)});
+                      e.priority, to(e.share), e.center_of_mass});
   }
   return result;
 }

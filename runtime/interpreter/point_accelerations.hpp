@@ -12,10 +12,13 @@ Vector<Scalar> point_accelerations(const Model<Scalar>& model, PointsArg<Scalar>
                                    VectorArg<Scalar> qdd) {
   const auto k = kinematics<Scalar>(model, q, qd);
   const auto a = accelerations<Scalar>(model, k, qdd, Vector3<Scalar>::Zero());
-  Vector<Scalar> xdd(6 * static_cast<int>(points.size()));
+  Vector<Scalar> xdd = Vector<Scalar>::Zero(6 * static_cast<int>(points.size()));
   int row = 0;
   for (const auto& e : points) {
-    xdd.template segment<6>(row) = point_acceleration(e, k, a[e.body]);
+    for (const auto& [part, weights] : parts_of(model, e)) {
+      xdd.template segment<6>(row) +=
+          weights.cwiseProduct(point_acceleration(part, k, a[part.body]));
+    }
     row += 6;
   }
   return xdd(controlled_rows<Scalar>(points));

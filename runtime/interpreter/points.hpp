@@ -1,8 +1,45 @@
 #pragma once
 
+#include <algorithm>
+
 #include "interpreter/kinematics.hpp"
 
 namespace treeline::interpreter {
+
+template <class Scalar>
+Scalar total_mass(const Model<Scalar>& model) {
+  Scalar mass(0);
+  for (const auto& body : model.bodies) mass += body.mass;
+  return mass;
+}
+
+template <class Scalar>
+bool has_center_of_mass(const Points<Scalar>& points) {
+  return std::any_of(points.begin(), points.end(),
+                     [](const auto& point) { return point.center_of_mass; });
+}
+
+/// A point of one body, and what its motion adds to that of the point of which it is a part.
+template <class Scalar>
+struct PointPart {
+  OperationalPoint<Scalar> point;
+  Vector6<Scalar> weights = Vector6<Scalar>::Ones();  ///< by row
+};
+
+/// The point itself; of the centre of mass those of all bodies, by their shares of the mass.
+template <class Scalar>
+std::vector<PointPart<Scalar>> parts_of(const Model<Scalar>& model,
+                                        const OperationalPoint<Scalar>& point) {
+  if (!point.center_of_mass) return {{point}};
+  std::vector<PointPart<Scalar>> parts;
+  for (int i = 0; i < model.size(); ++i) {
+    const Body<Scalar>& body = model.body(i);
+    const Vector3<Scalar> share = Vector3<Scalar>::Constant(body.mass / total_mass(model));
+    parts.push_back({{point.name, i, Matrix3<Scalar>::Identity(), body.com},
+                     stack<Scalar>(share, Vector3<Scalar>::Zero())});
+  }
+  return parts;
+}
 
 /// Number of controlled rows of all points together.
 template <class Scalar>
@@ -62,8 +99,9 @@ Vector6<Scalar> point_acceleration(const OperationalPoint<Scalar>& point,
 /// Adds forces at points to the forces on their bodies, in the bodies' frames. `forces` has the
 /// controlled rows of each point in turn; all other rows are zero.
 template <class Scalar>
-void add_point_forces(const Points<Scalar>& points, const Kinematics<Scalar>& k,
-                      VectorArg<Scalar> forces, PerBody<Vector6<Scalar>>& on_bodies) {
+void add_point_forces(const Model<Scalar>& model, const Points<Scalar>& points,
+                      const Kinematics<Scalar>& k, VectorArg<Scalar> forces,
+                      PerBody<Vector6<Scalar>>& on_bodies) {
   assert(forces.size() == row_count(points));
   int at = 0;
   for (const auto& e : points) {
@@ -71,7 +109,10 @@ void add_point_forces(const Points<Scalar>& points, const Kinematics<Scalar>& k,
     for (int row = 0; row < 6; ++row) {
       if (e.rows[static_cast<std::size_t>(row)]) f(row) = forces(at++);
     }
-    on_bodies[e.body] += point_transform(e, k) * f;
+    for (const auto& part : parts_of(model, e)) {
+      on_bodies[part.point.body] +=
+          point_transform(part.point, k) * Vector6<Scalar>(part.weights.cwiseProduct(f));
+    }
   }
 }
 

@@ -79,6 +79,13 @@ void order_points(Rng& rng, RandomMechanism& made) {
   }
 }
 
+/// The centre of mass beside the other points, with some of its rows, and of another priority in
+/// half the scenes.
+void add_center(Rng& rng, RandomMechanism& made) {
+  made.scene.operational_points.push_back(random_center(rng));
+  if (rng.chance(0.5)) order_points(rng, made);
+}
+
 /// Rotors that are bodies, on the link before the joint or on the base, about axes of their own.
 void add_rotors(Rng& rng, RandomMechanism& made) {
   for (const Joint& joint : made.robot.joints) {
@@ -140,6 +147,18 @@ const std::vector<Sweep>& sweeps() {
        {.joints = 8, .mix = {5, 1, 2, 0.3, 0, 1, 1}, .operational_points = 3, .all_rows = false},
        0,
        order_points},
+      {"center_of_mass",
+       {.joints = 5,
+        .branching = 0.5,
+        .mix = {5, 1, 2, 1, 1, 1, 1},
+        .mimic = 0.2,
+        .all_rows = false},
+       0,
+       add_center},
+      {"center_of_mass_floating",
+       {.joints = 5, .branching = 0.5, .floating_base = true, .rotors = 0.3, .all_rows = false},
+       0,
+       add_center},
       {"rotors_as_bodies",
        {.joints = 4,
         .branching = 0.4,
@@ -215,7 +234,11 @@ bool is_offered(Function function, const Scene& scene) {
   // A base that is fixed leaves open where all masses are.
   const bool is_of_masses = info_of(function).group == FunctionGroup::center_of_mass;
   if (scene.inputs.base_parameters && is_of_masses) return false;
-  return (!needs_points(function) || !scene.operational_points.empty()) &&
+  const auto& points = scene.operational_points;
+  const bool is_of_frames = function == Function::point_velocity_derivatives ||
+                            function == Function::point_acceleration_derivatives;
+  if (is_of_frames && std::any_of(points.begin(), points.end(), is_center_of_mass)) return false;
+  return (!needs_points(function) || !points.empty()) &&
          (!needs_objects(function) || !scene.objects.empty()) &&
          (!needs_contacts(function) || !scene.contacts.empty()) &&
          (!needs_constraints(function) || scene.holds_rows());

@@ -94,7 +94,7 @@ class TemplateRun {
   [[nodiscard]] Results<Scalar> point_poses() const {
     Results<Scalar> results(2);
     for (const TreePoint<Scalar>& point : tree_.operational_points) {
-      const WorldPose<Scalar> pose = point_pose(poses_, point);
+      const WorldPose<Scalar> pose = pose_of(tree_, X_, poses_, point);
       results[0].insert(results[0].end(), {pose.p.x, pose.p.y, pose.p.z});
       for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
         results[1].insert(results[1].end(), {row.x, row.y, row.z});

@@ -30,6 +30,11 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
     why_not = "the scene adds rotors, friction or springs to joints";
     return std::nullopt;
   }
+  const auto& points = scene.operational_points;
+  if (std::any_of(points.begin(), points.end(), is_center_of_mass)) {
+    why_not = "an operational point is the centre of mass";
+    return std::nullopt;
+  }
   const auto model = model_from_robot<double>(robot, scene);
   if (model.has_mimics()) {
     why_not = "the robot has joints that mimic others";

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "recursion/algebra/dense_matrix.hpp"
 #include "recursion/methods/forward_kinematics.hpp"
+#include "recursion/methods/link_velocities.hpp"
+#include "recursion/methods/outward_motion.hpp"
 
 namespace treeline {
 
@@ -21,14 +24,21 @@ MassShare<Scalar> to_parent(const JointTransform<Scalar>& X, const MassShare<Sca
   return {share.mass, X.to_parent(share.h) + X.p * share.mass};
 }
 
+/// The shares of the links alone.
 template <class Scalar>
-std::vector<MassShare<Scalar>> composite_shares(const Tree<Scalar>& tree,
-                                                const std::vector<JointTransform<Scalar>>& X) {
+std::vector<MassShare<Scalar>> link_shares(const Tree<Scalar>& tree) {
   std::vector<MassShare<Scalar>> shares;
   for (const TreeLink<Scalar>& link : tree.links) {
     shares.push_back(
         {link.inertia.mass * tree.inverse_total_mass, link.inertia.h * tree.inverse_total_mass});
   }
+  return shares;
+}
+
+template <class Scalar>
+std::vector<MassShare<Scalar>> composite_shares(const Tree<Scalar>& tree,
+                                                const std::vector<JointTransform<Scalar>>& X) {
+  std::vector<MassShare<Scalar>> shares = link_shares(tree);
   for (std::size_t i = tree.links.size(); i-- > 0;) {
     const TreeLink<Scalar>& link = tree.links[i];
     section(link, i, "first moment");
@@ -54,6 +64,15 @@ Vector3<Scalar> center_of_mass(const Tree<Scalar>& tree,
     }
   }
   return center;
+}
+
+/// Pose of an operational point's frame in the world. The centre of mass has the world's axes.
+template <class Scalar>
+WorldPose<Scalar> pose_of(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+                          const std::vector<WorldPose<Scalar>>& poses,
+                          const TreePoint<Scalar>& point) {
+  if (!point.center_of_mass) return point_pose(poses, point);
+  return {identity3<Scalar>(), center_of_mass(tree, X), {}};
 }
 
 /// Jacobian of the centre of mass, 3 x nv, world axes. A joint moves everything beyond it: a
@@ -82,6 +101,49 @@ DenseMatrix<Scalar> center_of_mass_jacobian(const Tree<Scalar>& tree,
     }
   }
   return J;
+}
+
+/// The mean over the mass of all links of vectors that are times the masses of each, in its axes:
+/// summed inward, in world axes.
+template <class Scalar>
+Vector3<Scalar> mean_over_mass(const Tree<Scalar>& tree,
+                               const std::vector<JointTransform<Scalar>>& X,
+                               std::vector<Vector3<Scalar>> vectors) {
+  Vector3<Scalar> sum;
+  for (std::size_t i = tree.links.size(); i-- > 0;) {
+    const TreeLink<Scalar>& link = tree.links[i];
+    section(link, i, "inward");
+    Vector3<Scalar>& parent =
+        link.parent < 0 ? sum : vectors[static_cast<std::size_t>(link.parent)];
+    parent = parent + X[i].to_parent(vectors[i]);
+  }
+  return sum * tree.inverse_total_mass;
+}
+
+/// Acceleration of the centre of mass, m/s^2, world axes, where what does not move has none.
+template <class Scalar>
+Vector3<Scalar> center_of_mass_acceleration(const Tree<Scalar>& tree,
+                                            const std::vector<JointTransform<Scalar>>& X,
+                                            const std::vector<LinkMotion<Scalar>>& motions) {
+  std::vector<Vector3<Scalar>> forces;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeInertia<Scalar>& inertia = tree.links[i].inertia;
+    forces.push_back(motions[i].a * inertia.mass + motions[i].U.matrix() * inertia.h);
+  }
+  return mean_over_mass(tree, X, std::move(forces));
+}
+
+/// Velocity of the centre of mass, m/s, world axes.
+template <class Scalar>
+Vector3<Scalar> center_of_mass_velocity(const Tree<Scalar>& tree,
+                                        const std::vector<JointTransform<Scalar>>& X,
+                                        const std::vector<LinkVelocity<Scalar>>& velocities) {
+  std::vector<Vector3<Scalar>> momenta;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    const TreeInertia<Scalar>& inertia = tree.links[i].inertia;
+    momenta.push_back(velocities[i].v * inertia.mass + cross(velocities[i].w, inertia.h));
+  }
+  return mean_over_mass(tree, X, std::move(momenta));
 }
 
 }  // namespace treeline

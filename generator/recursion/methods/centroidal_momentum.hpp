@@ -180,26 +180,12 @@ Wrench<Scalar> centroidal_bias(const Tree<Scalar>& tree,
   return sum_about_center(tree, X, inertial_wrenches(tree, motions));
 }
 
-/// dJ_com/dt qd, m/s^2, world axes: the forces of all links at qdd = 0, summed inward, over the
-/// mass.
+/// dJ_com/dt qd, m/s^2, world axes.
 template <class Scalar>
 Vector3<Scalar> center_of_mass_bias_acceleration(const Tree<Scalar>& tree,
                                                  const std::vector<JointTransform<Scalar>>& X,
                                                  std::span<const Scalar> qd) {
-  const auto motions = outward_motion(tree, X, {qd, {}}, Vector3<Scalar>{});
-  std::vector<Vector3<Scalar>> forces;
-  for (std::size_t i = 0; i < tree.links.size(); ++i) {
-    const TreeInertia<Scalar>& inertia = tree.links[i].inertia;
-    forces.push_back(motions[i].a * inertia.mass + motions[i].U.matrix() * inertia.h);
-  }
-  Vector3<Scalar> sum;
-  for (std::size_t i = tree.links.size(); i-- > 0;) {
-    const TreeLink<Scalar>& link = tree.links[i];
-    section(link, i, "inward");
-    Vector3<Scalar>& parent = link.parent < 0 ? sum : forces[static_cast<std::size_t>(link.parent)];
-    parent = parent + X[i].to_parent(forces[i]);
-  }
-  return sum * tree.inverse_total_mass;
+  return center_of_mass_acceleration(tree, X, outward_motion(tree, X, {qd, {}}, Vector3<Scalar>{}));
 }
 
 /// Mass, kg, and centre of mass in the world, m, of what a joint carries.

@@ -20,6 +20,13 @@ void add_row_forces(const std::vector<TaskPoint<Scalar>>& tasks, const std::vect
       Vector3<Scalar>& sum = direction.angular ? at_point.n : at_point.f;
       sum = sum + direction.e * f[row++];
     }
+    for (const TaskPart<Scalar>& part : task.parts) {
+      Vector3<Scalar> force;
+      for (std::size_t k = 0; k < task.rows.size(); ++k) {
+        force = force + part.directions[k] * f[row - task.rows.size() + k];
+      }
+      wrenches[part.link] = wrenches[part.link] + wrench_on_part(part, force);
+    }
     if (task.link < 0) continue;
     Wrench<Scalar>& wrench = wrenches[static_cast<std::size_t>(task.link)];
     wrench = wrench + wrench_at(at_point.f, at_point.n, task.r);

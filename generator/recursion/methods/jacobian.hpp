@@ -37,6 +37,18 @@ const Vector3<Scalar>& row_of(const Matrix3<Scalar>& A, int axis) {
   return axis == 0 ? A.row_x : axis == 1 ? A.row_y : A.row_z;
 }
 
+/// Puts the task's rows of the Jacobian of the centre of mass into J.
+template <class Scalar>
+void set_center_rows(const Tree<Scalar>& tree, const std::vector<JointTransform<Scalar>>& X,
+                     const TaskPoint<Scalar>& task, std::size_t first_row, DenseMatrix<Scalar>& J) {
+  const auto whole = center_of_mass_jacobian(tree, X);
+  for (std::size_t k = 0; k < task.rows.size(); ++k) {
+    for (std::size_t v = 0; v < J.cols(); ++v) {
+      J(first_row + k, v) = whole(static_cast<std::size_t>(task.rows[k].axis), v);
+    }
+  }
+}
+
 /// J by carrying each point's rows inward from its link, which is cheap if the task's axes are the
 /// link's. Rows along the axes from which `poses` are seen are taken from `poses` instead.
 template <class Scalar>
@@ -48,6 +60,7 @@ DenseMatrix<Scalar> jacobian_inward(const Tree<Scalar>& tree,
   std::size_t first_row = 0;
   for (TaskPoint<Scalar>& task : tasks) {
     const std::size_t count = task.rows.size();
+    if (!task.parts.empty()) set_center_rows(tree, X, task, first_row, J);
     while (task.link >= 0) {
       const auto i = static_cast<std::size_t>(task.link);
       section(tree.links[i], i, "Jacobian");

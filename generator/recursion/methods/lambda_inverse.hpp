@@ -138,6 +138,17 @@ void absorb_in_cluster(const ClusterProjection<Scalar>& cluster,
   }
 }
 
+/// Adds what arrives at a link of a unit force, of which a part may be there already.
+template <class Scalar>
+void add_force(const PropagatedForce<Scalar>& force, std::vector<PropagatedForce<Scalar>>& forces) {
+  for (PropagatedForce<Scalar>& there : forces) {
+    if (there.row != force.row) continue;
+    there.K = there.K + force.K;
+    return;
+  }
+  forces.push_back(force);
+}
+
 /// The unit forces of all rows at the links where their points are.
 template <class Scalar>
 std::vector<std::vector<PropagatedForce<Scalar>>> unit_forces_on_links(
@@ -150,6 +161,12 @@ std::vector<std::vector<PropagatedForce<Scalar>>> unit_forces_on_links(
         forces[static_cast<std::size_t>(task.link)].push_back({row, unit_wrench(task, direction)});
       }
       ++row;
+    }
+    for (const TaskPart<Scalar>& part : task.parts) {
+      for (std::size_t k = 0; k < task.rows.size(); ++k) {
+        forces[part.link].push_back(
+            {row - task.rows.size() + k, wrench_on_part(part, part.directions[k])});
+      }
     }
   }
   return forces;
@@ -183,8 +200,8 @@ DenseMatrix<Scalar> lambda_inverse_by_unit_forces(const Tree<Scalar>& tree,
     }
     if (link.parent >= 0) {
       for (const PropagatedForce<Scalar>& force : forces[i]) {
-        forces[static_cast<std::size_t>(link.parent)].push_back(
-            {force.row, to_parent(X[i], force.K)});
+        add_force({force.row, to_parent(X[i], force.K)},
+                  forces[static_cast<std::size_t>(link.parent)]);
       }
     }
     if (shape.begins_at(i)) {

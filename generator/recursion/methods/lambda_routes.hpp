@@ -42,11 +42,15 @@ bool permits_followers(const Tree<Scalar>& tree, LambdaRoute route) {
   return route == LambdaRoute::unit_forces && find_clusters(tree).has_value();
 }
 
-/// Whether `route` applies to the tree. Jacobians from poses apply to the axes from which the poses
-/// are seen, the world's or a link's.
+/// Whether `route` applies to the tree. Forces on the centre of mass are propagated row by row from
+/// all links, its Jacobian is carried inward. Jacobians from poses apply to the axes from which the
+/// poses are seen, the world's or a link's.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis, LambdaRoute route) {
   if (!permits(tree, basis) || !permits_followers(tree, route)) return false;
+  if (has_center_of_mass(tree)) {
+    return route == LambdaRoute::unit_forces || route == LambdaRoute::factors_inward;
+  }
   if (route == LambdaRoute::inertia_propagation) {
     return permits_inertia_propagation(tree);
   }

@@ -3,10 +3,16 @@
 #include <span>
 #include <vector>
 
-#include "recursion/methods/forward_kinematics.hpp"
-#include "recursion/methods/link_velocities.hpp"
+#include "recursion/methods/center_of_mass.hpp"
 
 namespace treeline {
+
+/// The centre of mass has the world's axes, which do not turn.
+template <class Scalar>
+void append_of_center(const Vector3<Scalar>& linear, std::vector<Scalar>& entries) {
+  entries.insert(entries.end(), {linear.x, linear.y, linear.z});
+  entries.insert(entries.end(), 3, Scalar(0.0));
+}
 
 template <class Scalar>
 void append_turned(const std::vector<WorldPose<Scalar>>& poses, int link,
@@ -28,6 +34,10 @@ std::vector<Scalar> point_velocities(const Tree<Scalar>& tree,
   const auto poses = world_poses(tree, X);
   std::vector<Scalar> entries;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
+    if (point.center_of_mass) {
+      append_of_center(center_of_mass_velocity(tree, X, velocities), entries);
+      continue;
+    }
     if (point.link < 0) {
       entries.insert(entries.end(), 6, Scalar(0.0));
       continue;
@@ -48,6 +58,10 @@ std::vector<Scalar> point_accelerations(const Tree<Scalar>& tree,
   const auto poses = world_poses(tree, X);
   std::vector<Scalar> entries;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
+    if (point.center_of_mass) {
+      append_of_center(center_of_mass_acceleration(tree, X, motions), entries);
+      continue;
+    }
     if (point.link < 0) {
       entries.insert(entries.end(), 6, Scalar(0.0));
       continue;

@@ -55,7 +55,7 @@ std::vector<PrioritizedRow<Scalar>> rows_by_priority(const Tree<Scalar>& tree,
       for (std::size_t row = at; row < at + count; ++row) {
         mobility = mobility + Lambda_inv(row, row);
       }
-      const bool moves = may_move(tree, point.link, first == 3);
+      const bool moves = point.center_of_mass || may_move(tree, point.link, first == 3);
       for (std::size_t row = at; row < at + count; ++row) {
         // Rows that nothing can move are relaxed completely.
         rows.push_back({row, moves ? Scalar(kInverseBorder) / mobility : Scalar(0.0)});

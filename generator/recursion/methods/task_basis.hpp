@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "recursion/methods/forward_kinematics.hpp"
+#include "recursion/methods/center_of_mass.hpp"
 #include "recursion/methods/inverse_dynamics.hpp"
 #include "recursion/methods/link_velocities.hpp"
 
@@ -25,14 +25,32 @@ struct TaskRow {
   int axis = 0;  ///< index of x y z of the task's axes
 };
 
-/// Rows of one operational point, in the order of the scene.
+/// A link's part in a task of the centre of mass: how far the rows, along `directions` in the
+/// link's axes, are moved by the link.
+template <class Scalar>
+struct TaskPart {
+  std::size_t link = 0;
+  MassShare<Scalar> share;
+  std::vector<Vector3<Scalar>> directions;
+};
+
+/// Rows of one operational point, in the order of the scene. Those of the centre of mass are as if
+/// on the world, and on links by parts.
 template <class Scalar>
 struct TaskPoint {
   int link = -1;
   Vector3<Scalar> r;  ///< reference point of linear rows, in the link's axes
   std::vector<TaskRow<Scalar>> rows;
   bool along_poses = false;  ///< the rows' axes are those from which the poses are seen
+  std::vector<TaskPart<Scalar>> parts = {};
 };
+
+/// Whether a point is the centre of mass.
+template <class Scalar>
+bool has_center_of_mass(const Tree<Scalar>& tree) {
+  return std::any_of(tree.operational_points.begin(), tree.operational_points.end(),
+                     [](const TreePoint<Scalar>& point) { return point.center_of_mass; });
+}
 
 template <class Scalar>
 bool has_whole_triples(const TreePoint<Scalar>& point) {
@@ -45,14 +63,14 @@ bool has_all_rows(const TreePoint<Scalar>& point) {
 }
 
 /// Whether the tree permits this basis. Axes other than the scene's need whole triples of rows (all
-/// of x y z or none), the link's origin needs all six rows.
+/// of x y z or none) of points on links, the link's origin needs all six rows.
 template <class Scalar>
 bool permits(const Tree<Scalar>& tree, TaskBasis basis) {
   return std::all_of(tree.operational_points.begin(), tree.operational_points.end(),
                      [basis](const TreePoint<Scalar>& point) {
                        const bool asked = !basis.in_link_axes && basis.axes_link < 0;
-                       return (asked || has_whole_triples(point)) &&
-                              (!basis.at_link_origin || has_all_rows(point));
+                       const bool turns = has_whole_triples(point) && !point.center_of_mass;
+                       return (asked || turns) && (!basis.at_link_origin || has_all_rows(point));
                      });
 }
 
@@ -85,12 +103,30 @@ TaskPoint<Scalar> task_point(const TreePoint<Scalar>& point, TaskBasis basis,
   return task;
 }
 
+/// The parts of links with mass in a task of the centre of mass.
+template <class Scalar>
+std::vector<TaskPart<Scalar>> task_parts(const Tree<Scalar>& tree, const TaskPoint<Scalar>& task,
+                                         const std::vector<WorldPose<Scalar>>& poses) {
+  const auto shares = link_shares(tree);
+  std::vector<TaskPart<Scalar>> parts;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const auto& [mass, h] = shares[i];
+    const Scalar zero(0.0);
+    if (mass == zero && h.x == zero && h.y == zero && h.z == zero) continue;
+    const Vector3<Scalar> world[3] = {poses[i].R.row_x, poses[i].R.row_y, poses[i].R.row_z};
+    parts.push_back({i, shares[i], {}});
+    for (const TaskRow<Scalar>& row : task.rows) parts.back().directions.push_back(world[row.axis]);
+  }
+  return parts;
+}
+
 template <class Scalar>
 std::vector<TaskPoint<Scalar>> task_points(const Tree<Scalar>& tree, TaskBasis basis,
                                            const std::vector<WorldPose<Scalar>>& poses) {
   std::vector<TaskPoint<Scalar>> tasks;
   for (const TreePoint<Scalar>& point : tree.operational_points) {
     tasks.push_back(task_point(point, basis, poses));
+    if (point.center_of_mass) tasks.back().parts = task_parts(tree, tasks.back(), poses);
   }
   return tasks;
 }
@@ -99,6 +135,13 @@ std::vector<TaskPoint<Scalar>> task_points(const Tree<Scalar>& tree, TaskBasis b
 template <class Scalar>
 Wrench<Scalar> unit_wrench(const TaskPoint<Scalar>& task, const TaskRow<Scalar>& row) {
   return row.angular ? Wrench<Scalar>{{}, row.e} : wrench_at(row.e, Vector3<Scalar>{}, task.r);
+}
+
+/// Wrench on a link of a force on the centre of mass, which is along `f` in the link's axes: it
+/// spreads over the links as the mass does.
+template <class Scalar>
+Wrench<Scalar> wrench_on_part(const TaskPart<Scalar>& part, const Vector3<Scalar>& f) {
+  return {f * part.share.mass, cross(part.share.h, f)};
 }
 
 /// Whether linear rows of the point are along axes that turn with its link.
@@ -115,6 +158,21 @@ template <class Scalar>
 LinkMotion<Scalar> counted_in_turning_axes(LinkMotion<Scalar> motion, const Vector3<Scalar>& v) {
   motion.a = motion.a - cross(motion.w, v);
   motion.U = angular_matrix(Vector3<Scalar>{}, motion.wd);
+  return motion;
+}
+
+/// The motion of the centre of mass as that of a frame at rest on the world but for it.
+template <class Scalar>
+LinkMotion<Scalar> motion_of_center(const Tree<Scalar>& tree,
+                                    const std::vector<JointTransform<Scalar>>& X,
+                                    const std::vector<LinkMotion<Scalar>>& motions,
+                                    const Vector3<Scalar>& base_acceleration) {
+  LinkMotion<Scalar> motion;
+  motion.a = center_of_mass_acceleration(tree, X, motions);
+  if (!tree.has_world_matter) return motion;
+  Scalar at_rest(1.0);
+  for (const auto& share : link_shares(tree)) at_rest = at_rest - share.mass;
+  motion.a = motion.a + base_acceleration * at_rest;
   return motion;
 }
 
@@ -136,7 +194,9 @@ std::vector<LinkMotion<Scalar>> motions_of_rows(const Tree<Scalar>& tree,
   std::vector<LinkMotion<Scalar>> of_rows;
   for (const TreePoint<Scalar>& point : points) {
     const auto link = static_cast<std::size_t>(point.link);
-    of_rows.push_back(point.link < 0 ? world : motions[link]);
+    of_rows.push_back(point.center_of_mass ? motion_of_center(tree, X, motions, base_acceleration)
+                      : point.link < 0     ? world
+                                           : motions[link]);
     if (has_turning_rows(point)) {
       of_rows.back() = counted_in_turning_axes(of_rows.back(), velocities[link].v);
     }

@@ -18,7 +18,7 @@ std::vector<Result> point_poses(const Trace& trace) {
   std::vector<Expression> positions;
   std::vector<Expression> rotations;
   for (const TreePoint<Expression>& point : trace.tree.operational_points) {
-    const WorldPose<Expression> pose = point_pose(poses, point);
+    const WorldPose<Expression> pose = pose_of(trace.tree, trace.X, poses, point);
     positions.insert(positions.end(), {pose.p.x, pose.p.y, pose.p.z});
     for (const auto& row : {pose.R.row_x, pose.R.row_y, pose.R.row_z}) {
       rotations.insert(rotations.end(), {row.x, row.y, row.z});

@@ -121,7 +121,8 @@ std::optional<Program> trace_loops(const Mechanism& mechanism, Function function
                                    const Program& lines, bool given_sines) {
   const LoopForm* const form = find_form(function);
   const bool shares_tasks = takes(function, Quantity::active_tasks);
-  if (form == nullptr || (shares_tasks && !mechanism.inputs.active_tasks.empty())) {
+  if (form == nullptr || (shares_tasks && !mechanism.inputs.active_tasks.empty()) ||
+      (form->rows && has_center_of_mass(mechanism))) {
     return std::nullopt;
   }
   Program program;

@@ -50,8 +50,8 @@ TreeLink<Expression> lift(const TreeLink<DoubleDouble>& link, const MovingLink& 
 }
 
 TreePoint<Expression> lift(const TreePoint<DoubleDouble>& point) {
-  return {point.name, point.link, lift(point.R), lift(point.p),
-          point.axes, point.rows, point.priority};
+  return {point.name, point.link, lift(point.R),  lift(point.p),
+          point.axes, point.rows, point.priority, point.center_of_mass};
 }
 
 std::vector<TreePoint<Expression>> lift(const std::vector<TreePoint<DoubleDouble>>& points) {

@@ -52,7 +52,8 @@ struct TreePoint {
   Axes axes = Axes::world;
   std::array<bool, 6> rows{};
   int priority = 1;
-  Scalar share = Scalar(1.0);  ///< to which its task is done, see `TaskShares`
+  bool center_of_mass = false;  ///< see `MechanismPoint`
+  Scalar share = Scalar(1.0);   ///< to which its task is done, see `TaskShares`
 };
 
 /// Mass and first moment of matter as in the file, about the origin of the link's frame.
@@ -160,7 +161,8 @@ TreePoint<Scalar> tree_point(const MechanismPoint& point) {
           rounded<Scalar>(point.pose.p),
           point.axes,
           point.rows,
-          point.priority};
+          point.priority,
+          point.center_of_mass};
 }
 
 template <class Scalar>
