@@ -53,7 +53,7 @@ def size_of_M(M):
 
 
 def forward_kinematics(f, case, v):
-    poses = [f.pose(point.name) for point in case.points]
+    poses = [point.pose(f) for point in case.points]
     position = np.concatenate([p for _, p in poses])
     return {"position": (position, np.full(position.shape, max(1, np.max(np.abs(position))))),
             **sized(rotation=np.concatenate([R.reshape(-1) for R, _ in poses]))}

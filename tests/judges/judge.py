@@ -31,8 +31,8 @@ from mechanisms import FUNCTIONS, MECHANISMS, close
 from report import Report
 from robot_file import RobotFile
 from rotors import FUNCTIONS as ROTORS, Rotors
-from rows import held_jacobian, rows_jacobian
-from scenes import ACTIVITY, CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, ROLLING, Case, Drives
+from rows import Center, held_jacobian, rows_jacobian
+from scenes import ACTIVITY, CENTER, CLOSINGS, DRIVES, FORCES, LARGEST, LOOPS, MOTION, ROLLING, Case, Drives
 
 JUDGES = (Pinocchio, Drake, Mujoco)
 STATES = 3
@@ -116,6 +116,7 @@ class Trial:
             self.judge_loops()
             self.judge_rolling()
             self.judge_object()
+            self.judge_center()
         except Refused as refusal:
             self.report.skip(self.name, "all", "treeline", str(refusal).splitlines()[0])
 
@@ -305,6 +306,21 @@ class Trial:
         emitted = self.emit(self.case.object.yaml(self.case), objects.FUNCTIONS, "object")
         self.case.external = []
         self.compare(emitted, judges, "object", [state])
+
+    def judge_center(self):
+        """A task of the centre of mass before one of a point."""
+        self.case = Case(self.robot, self.case.floating, self.random)
+        self.case.points, self.case.held = [Center("center"), self.case.points[0]], []
+        judges, state = self.judges(), self.freedoms.draw(self.random)
+        figures = judges[0].at(self.freedoms, state)
+        if np.linalg.cond(figures.mass_matrix()) > 1e13:
+            return
+        self.case.keep_independent_rows([figures])
+        if not self.case.points or self.case.points[0].link is not None:
+            return  # nothing moves the centre of mass ordinarily
+        emitted = self.emit(self.case.motion_yaml(), CENTER, "center")
+        if emitted is not None:
+            self.compare(emitted, judges, "center", [state])
 
     def compare(self, emitted, judges, kind, states=None):
         for state in states or [self.freedoms.draw(self.random) for _ in range(STATES)]:

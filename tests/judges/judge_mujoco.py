@@ -184,6 +184,16 @@ class MujocoFigures(Figures):
         mujoco.mj_jacSubtreeCom(self.model, self.data, J, 0)
         return J @ self.T
 
+    def center_of_mass_bias(self):
+        """The mean over the masses of what bodies feel, see `acceleration`."""
+        self.data.qacc[:] = self.s.drift
+        mujoco.mj_rnePostConstraint(self.model, self.data)
+        six, total = np.zeros(6), np.zeros(3)
+        for body in np.flatnonzero(self.model.body_weldid):
+            mujoco.mj_objectAcceleration(self.model, self.data, mujoco.mjtObj.mjOBJ_BODY, body, six, 0)
+            total += self.model.body_mass[body] * (six[3:] + self.model.opt.gravity)
+        return total / self.model.body_subtreemass[0]
+
     def momentum_matrix(self):
         A = np.zeros((3, self.model.nv))
         mujoco.mj_angmomMat(self.model, self.data, A, 0)

@@ -26,11 +26,41 @@ class Point:
                 f"axes: {self.axes}{rows}}}")
 
 
+    def pose(self, figures):
+        return figures.pose(self.name)
+
+    def jacobian(self, figures):
+        return figures.jacobian(self.name)
+
+    def bias(self, figures):
+        return figures.acceleration(self.name, False)
+
+
+class Center(Point):
+    """The centre of mass, in the world's axes, which do not turn."""
+
+    def __init__(self, name):
+        super().__init__(name, None, None, None, "world", ALL_ROWS[:3])
+
+    def yaml(self, with_rows=True):
+        return f"{{name: {self.name}, center_of_mass: true, rows: [{', '.join(self.rows)}]}}"
+
+    def pose(self, figures):
+        return np.eye(3), figures.center_of_mass()
+
+    def jacobian(self, figures):
+        J = figures.center_of_mass_jacobian()
+        return np.vstack([J, np.zeros_like(J)])
+
+    def bias(self, figures):
+        return np.concatenate([figures.center_of_mass_bias(), np.zeros(3)])
+
+
 def rows_jacobian(figures, points):
     """The velocities of the rows are J qd: their axes turn with the link where they are local."""
     blocks = []
     for point in points:
-        J = figures.jacobian(point.name)
+        J = point.jacobian(figures)
         if point.axes == "local":
             R = figures.pose(point.name)[0]
             J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
@@ -42,7 +72,7 @@ def rows_bias(figures, points):
     """Jd qd, the derivative of the rows' velocities at qdd = 0: R^T a - w x v in local axes."""
     blocks = []
     for point in points:
-        a = figures.acceleration(point.name, False)
+        a = point.bias(figures)
         if point.axes == "local":
             R, twist = figures.pose(point.name)[0], figures.velocity(point.name)
             v, w = R.T @ twist[:3], R.T @ twist[3:]

@@ -19,6 +19,7 @@ FORCES = ("jacobian bias_acceleration inverse_dynamics lambda_inverse lambda con
           "dynamically_consistent_inverse null_space_projector operational_bias_force operational_gravity "
           "contact_motion contact_inverse_inertia effective_mass impulse_response constrained_forward_dynamics "
           "supported_control_torque constraint_jacobian link_inverse_inertias").split()
+CENTER = "forward_kinematics jacobian bias_acceleration lambda_inverse lambda control_torque".split()
 ACTIVITY = "control_torque constrained_forward_dynamics supported_control_torque".split()
 LOOPS = "constrained_forward_dynamics constraint_jacobian constraint_errors".split()
 # What a loop holds, one kind a robot in turn: a weld, a ball joint, a hinge about z.
@@ -119,7 +120,8 @@ class Case:
 
     def frames(self):
         """Of everything, by name, as judges take them."""
-        every = self.points + self.external + self.contacts + self.held
+        every = [point for point in self.points if point.link is not None]
+        every += self.external + self.contacts + self.held
         frames = {point.name: (point.link, point.xyz, point.rpy) for point in every}
         frames.update(self.loop_frames)
         frames.update({"link " + link: (link, np.zeros(3), np.zeros(3)) for link in self.robot.links
