@@ -36,13 +36,15 @@ inline constexpr auto kSceneKeyTexts = std::to_array<SceneKeyText>({
      "the scene's folder; links and joints are `NAME/link` and `NAME/joint`.",
      "how-to/second-arm.md"},
     {"operational_points",
-     "list of `name`, `link`, `origin: {xyz, rpy}`, `rows`, `axes`, `priority`", "none",
+     "list of `name`, `link` or `center_of_mass: true`, `origin: {xyz, rpy}`, `rows`, `axes`, "
+     "`priority`",
+     "none",
      "operational_points:\n"
      "  - {name: tool, link: link6, origin: {xyz: [0, 0, 0.1]}, rows: [x, y, z]}",
      "Points to control. `rows` are out of `x y z rx ry rz` in this order, all unless given; "
      "`axes` are `world`, the default, or `local`; `priority` is 1, the default and the first, "
-     "to "
-     "1000.",
+     "to 1000. With `center_of_mass: true` in place of a link the point is the centre of mass of "
+     "everything, with rows out of `x y z`.",
      "how-to/tool-frame.md"},
     {"external_forces", "list of `name`, `link`, `origin`, `axes`", "none",
      "external_forces:\n"
