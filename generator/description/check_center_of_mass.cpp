@@ -25,9 +25,9 @@ Fault find_fault(const Robot& robot, const Scene& scene, const std::string& name
   if (!(total_mass(robot) > 0)) {
     return {"no link has mass", "give some link mass in the URDF, or remove the point"};
   }
-  if (!inputs.payloads.empty() || !inputs.parameters.empty() || inputs.base_parameters) {
-    return {"inertial parameters are an argument, which its place would depend on",
-            "remove payload, parameters and base_parameters from inputs, or the point"};
+  if (inputs.base_parameters) {
+    return {"base parameters are an argument, which do not contain its place",
+            "make parameters of links an input, or remove the point"};
   }
   if (std::any_of(inputs.tools.begin(), inputs.tools.end(),
                   [&](const SceneTool& tool) { return tool.point == name; })) {
@@ -49,6 +49,10 @@ Fault find_fault(const Robot& robot, const Scene& scene, const std::string& name
   if (scene.controller && scene.controller->force) {
     return {"the controller pushes with points on links",
             "leave out the law of forces, or the point"};
+  }
+  if (scene.controller && !(inputs.payloads.empty() && inputs.parameters.empty())) {
+    return {"the controller measures points without inertial parameters as arguments",
+            "remove payload and parameters from inputs, or the controller, or the point"};
   }
   return {};
 }

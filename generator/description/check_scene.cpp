@@ -48,7 +48,7 @@ void choose_functions(const Robot& robot, const std::string& singular, Scene& sc
 
 /// Whether the function depends on inertia, but not on base parameters alone.
 bool exceeds_base_parameters(const Scene& scene, Function function) {
-  return takes(function, Quantity::parameters) &&
+  return depends_on_inertia(scene, function) &&
          !takes_input(scene, function, Quantity::base_parameters);
 }
 

@@ -209,7 +209,7 @@ void check_inputs_used(const SceneElement& top, const Scene& scene) {
     if (!is_of_model(row.quantity) || !has_input(scene, row.quantity)) continue;
     const bool used = std::any_of(functions.begin(), functions.end(), [&](Function f) {
       const bool refused =
-          row.quantity == Quantity::base_parameters && takes(f, Quantity::parameters);
+          row.quantity == Quantity::base_parameters && depends_on_inertia(scene, f);
       return refused || takes_input(scene, f, row.quantity);
     });
     if (used) continue;

@@ -50,10 +50,26 @@ inline bool has_rows_in_given_axes(const Scene& scene) {
   });
 }
 
+inline bool has_center_of_mass(const Scene& scene) {
+  const auto& points = scene.operational_points;
+  return std::any_of(points.begin(), points.end(), is_center_of_mass);
+}
+
+/// Whether the function depends on inertia. The motion of points does only where one is the centre
+/// of mass.
+inline bool depends_on_inertia(const Scene& scene, Function function) {
+  const bool is_motion_of_points = needs_points(function) && solve_of(function) == Solve::none;
+  return takes(function, Quantity::parameters) &&
+         (!is_motion_of_points || has_center_of_mass(scene));
+}
+
 /// Whether the function of this scene takes this quantity of the robot as an argument. The axes of
 /// a point count for its pose, and else only where its rows are in them.
 inline bool takes_input(const Scene& scene, Function function, Quantity quantity) {
   if (!takes(function, quantity) || !has_input(scene, quantity)) return false;
+  if (quantity == Quantity::payload || quantity == Quantity::parameters) {
+    return depends_on_inertia(scene, function);
+  }
   if (quantity == Quantity::base_parameters && depends_on_mass(function)) {
     return scene.base == Base::floating;  // M has the whole mass and its centre
   }

@@ -45,6 +45,14 @@ TEST(CheckCenterOfMass, OfAnArmInBothPrecisionsAndLanguages) {
       12);
 }
 
+TEST(CheckCenterOfMass, WithMatterAsArguments) {
+  expect_passed(
+      arm("rows: [z]", std::string("inputs: {payload: tool, parameters: forearm, gravity: true, "
+                                   "tool: wrist}\n") +
+                           kAllOfPoints),
+      12);
+}
+
 TEST(CheckCenterOfMass, OfAQuadrupedThatFloatsAndStands) {
   expect_passed(in_scene(data_file("published/anymal_c.urdf"),
                          "base: floating\noperational_points: [{name: center, center_of_mass: "

@@ -66,10 +66,8 @@ TEST(ReadCenterOfMass, RefusesByNameWhatItCannotBeCombinedWith) {
     return ToldScene{with_center(more), {kError, 1, "", what, remedy}};
   };
   expect_told({
-      refused("inputs: {payload: tool}", "point \"com\" is the centre of mass, but inertial",
-              "remove payload"),
-      refused("inputs: {parameters: tool}", "inertial parameters are an argument", "from inputs"),
-      refused("inputs: [base_parameters]", "inertial parameters are an argument", "from inputs"),
+      refused("inputs: [base_parameters]", "point \"com\" is the centre of mass, but base",
+              "parameters of links"),
       refused("inputs: {tool: com}", "its origin is no argument", "from tool"),
       refused(object, "it holds the object \"box\"", "a point on a link"),
       refused("functions: [point_velocity_derivatives]", "point_velocity_derivatives is listed",
@@ -78,6 +76,8 @@ TEST(ReadCenterOfMass, RefusesByNameWhatItCannotBeCombinedWith) {
               "point_acceleration_derivatives is listed", "remove the function"),
       refused("locked: {slide: 0.5}\ncontroller: {laws: [task_impedance, force]}",
               "the controller pushes with points on links", "law of forces"),
+      refused("locked: {slide: 0.5}\ninputs: {payload: tool}\ncontroller: {laws: task_impedance}",
+              "the controller measures points without inertial parameters", "from inputs"),
   });
 }
 

@@ -80,10 +80,14 @@ void order_points(Rng& rng, RandomMechanism& made) {
 }
 
 /// The centre of mass beside the other point, with some of its rows. In half the scenes the base
-/// floats, and in half the points differ in priority.
+/// floats, in half the points differ in priority, and in half matter is an argument.
 void add_center(Rng& rng, RandomMechanism& made) {
   if (rng.chance(0.5)) made.scene.base = Base::floating;
   made.scene.operational_points.push_back(random_center(rng));
+  if (rng.chance(0.5)) {
+    made.scene.inputs.payloads.push_back({random_moving_link(rng, made)});
+    made.scene.inputs.parameters.push_back({random_moving_link(rng, made)});
+  }
   if (rng.chance(0.5)) order_points(rng, made);
 }
 
@@ -149,11 +153,7 @@ const std::vector<Sweep>& sweeps() {
        0,
        order_points},
       {"center_of_mass",
-       {.joints = 5,
-        .branching = 0.5,
-        .mix = {5, 1, 2, 1, 1, 1, 1},
-        .mimic = 0.2,
-        .all_rows = false},
+       {.joints = 5, .mix = {5, 1, 2, 1, 1, 1, 1}, .mimic = 0.2, .all_rows = false},
        0,
        add_center},
       {"rotors_as_bodies",
