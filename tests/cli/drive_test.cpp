@@ -148,14 +148,17 @@ TEST_F(DriveTest, IsRepeatable) {
   EXPECT_EQ(first["time"], second["time"]);
 }
 
-// Would catch: the advice to list functions, which `generate` has, beside what `drive` says itself.
+// Would catch: the advice to list functions, which `generate` has, beside what `drive` says itself;
+// a centre of mass that is led like a frame on a link.
 TEST_F(DriveTest, SaysOnceWhatItLeavesOfAScene) {
   write("passive.yaml",
         "passive: [joint2]\nexternal_forces: [{name: push, link: link3}]\n"
+        "operational_points: [{name: com, center_of_mass: true, rows: [x]}]\n"
         "functions: [gravity]\n");
   const Outcome outcome = drive(kRobots + "/planar3r/planar3r.urdf passive.yaml", "start\n");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("left out while the robot is driven: external_forces, passive"),
+  EXPECT_NE(outcome.err.find("left out while the robot is driven: external_forces, the centre of "
+                             "mass, passive"),
             std::string::npos)
       << outcome.err;
   EXPECT_EQ(outcome.err.find("no function takes them"), std::string::npos) << outcome.err;
