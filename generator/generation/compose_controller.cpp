@@ -7,6 +7,7 @@
 #include "choice/function_mechanisms.hpp"
 #include "description/read_keys.hpp"
 #include "description/robot_queries.hpp"
+#include "description/scene_inputs.hpp"
 #include "generation/compose.hpp"
 #include "generation/generate_code.hpp"
 #include "passes/count_operations.hpp"
@@ -50,6 +51,7 @@ Program trace_push(const Robot& robot, const Scene& scene) {
 }
 
 constexpr const char* kKinematics = "controller_kinematics";
+constexpr const char* kOwnGravity = "controller_gravity";
 constexpr const char* kPoses = "poses and velocities [v; w] of the operational points";
 constexpr const char* kGravity = "g: the joint forces that hold the robot at rest";
 
@@ -67,12 +69,29 @@ Program trace_poses(const Robot& robot, const Scene& scene) {
                           kPoses);
 }
 
+Program trace_gravity(const Robot& robot, const Scene& scene) {
+  return trace_kinematics(robot, scene, {Function::gravity}, kGravity);
+}
+
+/// Whether g depends on what the caller tells of the robot, which poses do not.
+bool is_gravity_told(const Scene& scene) {
+  return std::any_of(kQuantities.begin(), kQuantities.end(), [&](const QuantityInfo& row) {
+    return is_of_model(row.quantity) && takes_input(scene, Function::gravity, row.quantity);
+  });
+}
+
 /// All that a step measures.
-Program trace_kinematics(const Robot& robot, const Scene& scene) {
-  if (!scene.controller->task) return trace_kinematics(robot, scene, {Function::gravity}, kGravity);
-  return trace_kinematics(
-      robot, scene, {Function::forward_kinematics, Function::point_velocity, Function::gravity},
-      fmt::format("{}, and the joint forces g that hold the robot at rest", kPoses));
+void add_kinematics(const Robot& robot, const Scene& scene, ControllerUnit& unit) {
+  if (!scene.controller->task) {
+    unit.kinematics = trace_gravity(robot, scene);
+  } else if (is_gravity_told(scene)) {
+    unit.kinematics = trace_poses(robot, scene);
+    unit.gravity = named(trace_gravity(robot, scene), kOwnGravity);
+  } else {
+    unit.kinematics = trace_kinematics(
+        robot, scene, {Function::forward_kinematics, Function::point_velocity, Function::gravity},
+        fmt::format("{}, and the joint forces g that hold the robot at rest", kPoses));
+  }
 }
 
 /// Makes dynamics loops over links where the code is smaller so.
@@ -82,10 +101,11 @@ void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& uni
   const bool task = unit.task_torque.has_value();
   const auto flops = [](const Program& program) { return count_operations(program).flops(); };
   const Program poses = task ? trace_poses(robot, scene) : Program();
-  const Program gravity = task ? trace_kinematics(robot, scene, {Function::gravity}, kGravity)
-                               : unit.kinematics;  // which is this alone
+  const Program gravity = task ? trace_gravity(robot, scene) : unit.kinematics;  // which is this
+  const auto of_gravity =
+      unit.gravity ? flops(*unit.gravity) : flops(unit.kinematics) - (task ? flops(poses) : 0);
   std::vector<LoopCandidate> candidates = {
-      {Function::gravity, &gravity, flops(unit.kinematics) - (task ? flops(poses) : 0)},
+      {Function::gravity, &gravity, of_gravity},
       {Function::inverse_dynamics, &unit.joint_torque, flops(unit.joint_torque)}};
   if (task) {
     candidates.push_back({Function::control_torque, &*unit.task_torque, flops(*unit.task_torque)});
@@ -94,7 +114,7 @@ void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& uni
   if (loops.empty()) return;
   if (task) {
     unit.kinematics = poses;
-    unit.gravity = named(std::move(loops[0]), "controller_gravity");
+    unit.gravity = named(std::move(loops[0]), kOwnGravity);
     unit.task_torque = std::move(loops[2]);
   } else {
     unit.kinematics = std::move(loops[0]);
@@ -138,7 +158,7 @@ ControllerUnit compose_controller(const Robot& robot, const Scene& given,
   unit.joints = list_joints(robot, scene, mechanism);
   unit.settings.speed_rise =
       std::max(unit.settings.speed_rise, find_speed_rise(mechanism, unit.joints));
-  unit.kinematics = trace_kinematics(robot, scene);
+  add_kinematics(robot, scene, unit);
   unit.joint_torque =
       trace_torque(robot, scene, Function::inverse_dynamics, "controller_joint_torque");
   if (scene.controller->task) {

@@ -4,8 +4,9 @@
 // - tl_fours_sin_cos, tl_eights_sin_cos: the same of four and of eight angles
 // - TL_ANGLES_AT_ONCE: 8 where a register holds as many, else 4
 
-/// Sines and cosines of several angles. Of many, the last eight take some a second time:
-/// a remainder would make the code long. Of few, two or three that remain are padded.
+/// Sines and cosines of several angles. Of many, the last eight take some a second
+/// time: a remainder would make the code long. Of few, two or three that remain are
+/// padded.
 TL_INLINE void tl_sin_cos(int32_t count, const real* x, real* sine, real* cosine) {
   int32_t done = 0;
   if (TL_ANGLES_AT_ONCE == 8) {

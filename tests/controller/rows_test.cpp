@@ -112,6 +112,19 @@ TEST(ControllerRows, LeadTheTorqueToAnotherPayload) {
   EXPECT_LT(std::fabs(told.state.held[4] - mobile.state.held[4]), 1e-3);
 }
 
+/// Would catch: a torque that holds the robot at rest without the payload that was told.
+TEST(ControllerRows, KnowWhatHoldsThePayloadAtRest) {
+  Mobile mobile;
+  for (double& each : mobile.input.f_ext) each = 0;
+  mobile.run(1);
+  const double still[n] = {};
+  double wanted[n];
+  samm_arm::inverse_dynamics(mobile.input.q, still, still, mobile.input.f_ext, mobile.input.payload,
+                             wanted);
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(mobile.state.held[i], wanted[i], 1e-6) << i;
+  EXPECT_GT(std::fabs(wanted[4]), 1);
+}
+
 /// Would catch: an arm whose joints are all measured, and which is let go since a number of its
 /// payload, or of a force that is known, stays lost.
 TEST(ControllerRows, HoldWithTheLastPayloadAndForceThatWereTold) {

@@ -25,7 +25,7 @@ struct BoundedInverseShape {
 /// thousandth (float: a thirtieth) of its ordinary value, that is, about 2 (10) degrees from a
 /// singularity. The larger power costs one operation; in float it would exceed the range of numbers
 /// for small robots.
-/// With `early` the border is at least 2^-13 of what is ordinary: joints move at most some fifty
+/// With `early` the border is at least 2^-13 of what is ordinary: joints move at most some seventy
 /// times as fast for a motion of the task as in an ordinary state.
 constexpr BoundedInverseShape inverse_inertia_shape(Real real,
                                                     SingularTasks tasks = SingularTasks::smooth) {
