@@ -125,8 +125,7 @@ class LoopedRobot {
     const MatrixXd J = interpreter::loop_jacobian<double>(model_, loops_, q);
     VectorXd change = VectorXd::Zero(model_.nv);
     change[joint.v] = value - q[joint.q];
-    const VectorXd rows = J * change;
-    change(others) = -MatrixXd(J(Eigen::all, others)).completeOrthogonalDecomposition().solve(rows);
+    change(others) = interpreter::least_motion<double>(J(Eigen::all, others), -J * change);
     if (change.norm() > 1) return std::nullopt;
     VectorXd guess = interpreter::move_coordinates<double>(model_, q, change, 1);
     guess[joint.q] = value;

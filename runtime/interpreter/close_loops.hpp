@@ -21,6 +21,14 @@ Vector<Scalar> move_coordinates(const Model<Scalar>& model, const Vector<Scalar>
   return next;
 }
 
+/// The shortest motion of all that come nearest to `asked` in rows of J; Eigen decomposes no matrix
+/// without columns, that is of a robot of which nothing may move.
+template <class Scalar>
+Vector<Scalar> least_motion(const Matrix<Scalar>& J, const Vector<Scalar>& asked) {
+  if (J.size() == 0) return Vector<Scalar>::Zero(J.cols());
+  return J.completeOrthogonalDecomposition().solve(asked);
+}
+
 /// Coordinates near q at which the loops are closed to `tolerance` (m, and the sine of an angle),
 /// by Newton's method with the shortest step. Only the velocities that `free` lists move. Steps are
 /// bounded, so that a guess from afar does not wind joints up. Nothing where 60 steps do not do.
@@ -33,7 +41,7 @@ std::optional<Vector<Scalar>> close_loops(const Model<Scalar>& model, const Loop
     const Vector<Scalar> errors = loop_errors<Scalar>(model, loops, q);
     if (errors.size() == 0 || errors.cwiseAbs().maxCoeff() <= tolerance) return q;
     const Matrix<Scalar> J = loop_jacobian<Scalar>(model, loops, q)(Eigen::all, free);
-    const Vector<Scalar> change = J.completeOrthogonalDecomposition().solve(errors);
+    const Vector<Scalar> change = least_motion<Scalar>(J, errors);
     const Scalar size = change.norm();
     Vector<Scalar> qd = Vector<Scalar>::Zero(model.nv);
     qd(free) = -change * (size > longest ? Scalar(longest / size) : Scalar(1));

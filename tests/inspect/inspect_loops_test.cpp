@@ -101,6 +101,25 @@ TEST(InspectLoops, NameTheFoldOfAParallelogram) {
   EXPECT_NEAR(std::abs(pose_of(risks[0])), std::numbers::pi / 2, 1e-3) << risks[0].finding;
 }
 
+// Would catch a decomposition of the no columns of the joints that could follow.
+TEST(InspectLoops, TakeLoopsOfOneJointAlone) {
+  const std::string frames = "between: [left, base], origin: {xyz: [0, 0.1, 0]}, ";
+  const std::string closed = "other_origin: {xyz: [0.25, 0.1, 0]}, ";
+  for (const std::string& held :
+       {std::string("couplings: [{name: c, joints: {arm: 1}, offset: -0.5}]"),
+        "constraints: [{name: c, " + frames + closed + "rows: [x]}]"}) {
+    const Report report = inspect_sample(held);
+    ASSERT_TRUE(report.loops) << held;
+    EXPECT_EQ(report.loops->rows, 1) << held;
+    EXPECT_EQ(report.loops->freedoms, 0) << held;
+    EXPECT_TRUE(loop_risks(report).empty()) << held;
+  }
+  const Report rolling = inspect_sample("constraints: [{name: c, between: [upper, base], origin: "
+                                        "{xyz: [0, 0, 0.1]}, rolling: {radius: 0.1}}]");
+  ASSERT_TRUE(rolling.loops);
+  EXPECT_EQ(rolling.loops->freedoms, 0);
+}
+
 TEST(InspectLoops, SayWhereNoPoseCloses) {
   const Report report = inspect_four_bar("", "0.12", "[x, z]", "3");
   EXPECT_FALSE(report.loops);
