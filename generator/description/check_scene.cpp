@@ -85,7 +85,7 @@ void check_functions(const SceneElement& list, const Robot& robot, const std::st
       report_constraints(list, scene, function);
     } else if (needs_mass(function) && !(total_mass(robot) > 0)) {
       list.error(fmt::format("{} is listed, but no link has mass", function_name(function)),
-                 "give some link mass in the URDF, or remove the function");
+                 "give some link mass in the robot's file, or remove the function");
     } else if (scene.inputs.base_parameters && exceeds_base_parameters(scene, function)) {
       list.error(
           fmt::format("{} is listed, but it depends on masses that base parameters do not contain",
@@ -101,7 +101,7 @@ void check_functions(const SceneElement& list, const Robot& robot, const std::st
       list.error(
           fmt::format("{} is listed, but nothing beyond {} has mass: the mass matrix is singular",
                       function_name(function), singular),
-          "give it mass in the URDF, lock the joint, or remove the function");
+          "give it mass in the robot's file, lock the joint, or remove the function");
     }
   }
 }
@@ -137,7 +137,7 @@ void check_damped(const SceneElement& top, const SceneElement& list, const Robot
       top.error(fmt::format("nothing beyond {} has mass: the mass matrix is singular, and damped "
                             "needs its inverse",
                             singular),
-                "give it mass in the URDF, lock the joint, or remove damped");
+                "give it mass in the robot's file, lock the joint, or remove damped");
       return;
     }
     list.error(
@@ -267,7 +267,7 @@ void check_joint_identifiers(const SceneElement& top, const Robot& robot,
     if (is_new) continue;
     top.error(fmt::format("the joints \"{}\" and \"{}\" of {} would both be {} in emitted code",
                           first->second, name, robot.file, first->first),
-              "rename one of them in the URDF");
+              "rename one of them there");
   }
 }
 

@@ -259,10 +259,11 @@ void check_controller(const SceneElement& scene_top, const Robot& robot,
               "add a list operational_points, or keep to laws: [joint_impedance]");
   }
   if (scene.controller->task && !singular.empty()) {
-    top.error(fmt::format("nothing beyond {} has mass: the mass matrix is singular, and laws of "
-                          "tasks need its inverse",
-                          singular),
-              "give it mass in the URDF, lock the joint, or keep to laws: [joint_impedance]");
+    top.error(
+        fmt::format("nothing beyond {} has mass: the mass matrix is singular, and laws of "
+                    "tasks need its inverse",
+                    singular),
+        "give it mass in the robot's file, lock the joint, or keep to laws: [joint_impedance]");
   }
   if (scene.controller->task && scene.singular == SingularTasks::exact) {
     top.error("the controller's torque is not finite at singularities with singular: exact",

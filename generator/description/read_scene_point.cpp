@@ -251,7 +251,7 @@ void read_locked(const SceneElement& element, const Robot& robot, Scene& scene) 
       value.error("a fixed joint has no value", "remove this line");
     } else if (!info_of(joint->type).has_one_freedom()) {
       value.error("only a joint of one degree of freedom can be locked",
-                  "make the joint fixed in the URDF");
+                  "make the joint fixed in the robot's file");
     } else if (joint->limits && (*held < joint->limits->lower || *held > joint->limits->upper)) {
       value.warn(fmt::format("{} is outside the joint's limits, {} to {}", *held,
                              joint->limits->lower.value(), joint->limits->upper.value()),

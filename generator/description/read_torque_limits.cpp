@@ -23,7 +23,7 @@ void take_efforts(const SceneElement& element, const Robot& robot, Scene& scene)
   scene.torque_limits_of_urdf = true;
   if (!scene.torque_limits.empty()) return;
   element.error("the robot's file states no effort of any joint with a motor",
-                "write torque_limits: {joint: N m}, or <limit effort> in the URDF");
+                "write torque_limits: {joint: N m}, or the effort in the robot's file");
 }
 
 void read_limit(const std::string& name, const SceneElement& value, const Joint& joint,

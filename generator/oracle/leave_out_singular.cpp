@@ -34,7 +34,7 @@ std::string describe_cure(const std::vector<MasslessDirections>& all) {
     if (each.one_degree) append_new(fmt::format("\"{}\"", each.joint), locks);
     base = base || each.moves_base;
   }
-  std::string cure = fmt::format("Give link{} {} mass and moments of inertia in the URDF",
+  std::string cure = fmt::format("Give link{} {} mass and moments of inertia in the robot's file",
                                  links.size() > 1 ? "s" : "", list_first(links, kMostNamed));
   if (!locks.empty()) {
     cure += fmt::format("; or lock joint{} {} in the scene", locks.size() > 1 ? "s" : "",

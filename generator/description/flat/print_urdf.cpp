@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "description/flat/flat_model.hpp"
+#include "description/flat/made_names.hpp"
 #include "description/read_number.hpp"
 #include "description/rotation.hpp"
 
@@ -35,9 +35,11 @@ bool is_identity(const Eigen::Isometry3d& pose, double length) {
 class UrdfPrinter {
  public:
   UrdfPrinter(const FlatModel& model, const FlatTree& tree) : model_(model), tree_(tree) {
-    for (const FlatLink& link : model.links) names_.insert(link.name);
-    for (const FlatJoint& joint : model.joints) joint_names_.insert(joint.name);
-    if (tree.has_world) world_ = unused("world", names_);
+    for (const FlatLink& link : model.links) names_.take(link.name);
+    for (const auto* joints : {&model.joints, &tree.joints, &tree.loops}) {
+      for (const FlatJoint& joint : *joints) joint_names_.take(joint.name);
+    }
+    if (tree.has_world) world_ = names_.make("world");
   }
 
   std::string run() {
@@ -53,11 +55,6 @@ class UrdfPrinter {
   }
 
  private:
-  static std::string unused(std::string name, std::set<std::string>& taken) {
-    while (!taken.insert(name).second) name += "_";
-    return name;
-  }
-
   [[nodiscard]] std::string name_of(int link) const {
     return link < 0 ? world_ : model_.links[static_cast<std::size_t>(link)].name;
   }
@@ -217,7 +214,7 @@ class UrdfPrinter {
       return;
     }
     const bool direct = is_identity(to_child, model_.length);
-    const std::string end = direct ? child : unused(joint.name + "_frame", names_);
+    const std::string end = direct ? child : names_.make(joint.name + "_frame");
     if (joint.axes.size() == 2) {
       print_two(joint, parent, end);
     } else if (joint.axes.empty()) {
@@ -233,18 +230,18 @@ class UrdfPrinter {
     if (direct) return;
     open_link(end);
     printer_.CloseElement();
-    open_joint(unused(joint.name + "_to_" + child, joint_names_), "fixed", end, child, to_child);
+    open_joint(joint_names_.make(joint.name + "_to_" + child), "fixed", end, child, to_child);
     printer_.CloseElement();
   }
 
   void print_two(const FlatJoint& joint, const std::string& parent, const std::string& end) {
-    const std::string between = unused(joint.name + "_cross", names_);
+    const std::string between = names_.make(joint.name + "_cross");
     open_link(between);
     printer_.CloseElement();
-    open_turning(unused(joint.name + "_1", joint_names_), "revolute", joint.axes[0], parent,
-                 between, joint.in_parent);
+    open_turning(joint_names_.make(joint.name + "_1"), "revolute", joint.axes[0], parent, between,
+                 joint.in_parent);
     printer_.CloseElement();
-    open_turning(unused(joint.name + "_2", joint_names_), "revolute", joint.axes[1], between, end,
+    open_turning(joint_names_.make(joint.name + "_2"), "revolute", joint.axes[1], between, end,
                  Eigen::Isometry3d::Identity());
     printer_.CloseElement();
   }
@@ -269,7 +266,7 @@ class UrdfPrinter {
   const FlatModel& model_;
   const FlatTree& tree_;
   tinyxml2::XMLPrinter printer_;
-  std::set<std::string> names_, joint_names_;
+  MadeNames names_, joint_names_;
   std::string world_;
 };
 

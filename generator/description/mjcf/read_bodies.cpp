@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "description/flat/made_names.hpp"
+
 namespace treeline {
 namespace {
 
@@ -76,16 +78,11 @@ class Bodies {
   /// Names that the file gives come first, those that are made must differ.
   void take_names(const MjcfElement& element) {
     if (const auto name = element.find("name")) {
-      (is_joint(element) ? joint_names_ : link_names_).insert(*name);
+      (is_joint(element) ? joint_names_ : link_names_).take(*name);
     }
     for (const MjcfElement& child : element.children()) {
       if (child.name() == "body" || child.name() == "frame" || is_joint(child)) take_names(child);
     }
-  }
-
-  static std::string unused(std::string name, std::set<std::string>& taken) {
-    while (!taken.insert(name).second) name += "_";
-    return name;
   }
 
   [[nodiscard]] bool moves(const MjcfElement& body) const {
@@ -150,7 +147,7 @@ class Bodies {
     result_.model.length =
         std::max(result_.model.length, initial.translation().cwiseAbs().maxCoeff());
     const auto given = element.find("name");
-    const std::string name = given ? *given : unused(name_of(parent) + "_child", link_names_);
+    const std::string name = given ? *given : link_names_.make(name_of(parent) + "_child");
     std::vector<Placed> parts;
     list_elements(element, Isometry3d::Identity(), compiler_, parts);
     const bool is_root = parent < 0 && !result_.tree.has_world;
@@ -188,7 +185,7 @@ class Bodies {
       MjcfJoint read = read_mjcf_joint(joints[j]->element, joints[j]->frame, compiler_);
       FlatJoint& joint = read.joint;
       const auto given = joints[j]->element.find("name");
-      joint.name = given ? *given : unused(name + "_joint", joint_names_);
+      joint.name = given ? *given : joint_names_.make(name + "_joint");
       joint.parent = before;
       // A free joint has its place in the world, not in its body's place at the beginning.
       joint.in_parent =
@@ -196,14 +193,14 @@ class Bodies {
       // The body is as the file has it where the coordinate is `ref`.
       joint.in_child = last ? read.place * read.moved_back.inverse() : Isometry3d::Identity();
       from_parent = read.moved_back * read.place.inverse();
-      joint.child = add_link(last ? name : unused(joint.name + "_link", link_names_), initial);
+      joint.child = add_link(last ? name : link_names_.make(joint.name + "_link"), initial);
       before = joint.child;
       if (read.spring) result_.hints.springs[joint.name] = *read.spring;
       result_.joints[joint.name] = result_.tree.joints.size();
       result_.ref.push_back(read.ref);
       result_.tree.joints.push_back(std::move(joint));
     }
-    return joints.empty() ? hold(unused(name + "_fixed", joint_names_), name, parent, pose, initial)
+    return joints.empty() ? hold(joint_names_.make(name + "_fixed"), name, parent, pose, initial)
                           : before;
   }
 
@@ -230,10 +227,8 @@ class Bodies {
     const Isometry3d initial =
         (parent < 0 ? Isometry3d::Identity() : result_.initial[static_cast<std::size_t>(parent)]) *
         pose;
-    hold(unused(*name + "_at", joint_names_),
-         link_names_.contains(*name) ? unused(*name + "_site", link_names_)
-                                     : unused(*name, link_names_),
-         parent, pose, initial);
+    hold(joint_names_.make(*name + "_at"),
+         link_names_.make(link_names_.has(*name) ? *name + "_site" : *name), parent, pose, initial);
   }
 
   /// Mass and shapes, without a name. Where geoms count and none has mass, what is stated does.
@@ -285,7 +280,7 @@ class Bodies {
   const MjcfCompiler& compiler_;
   const MjcfAssets& assets_;
   MjcfTree& result_;
-  std::set<std::string> link_names_, joint_names_;
+  MadeNames link_names_, joint_names_;
   std::set<int> moving_;    ///< links
   double passed_over_ = 0;  ///< kg, of bodies that are not part of the robot
 };

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
+#include "description/flat/made_names.hpp"
 #include "description/mjcf/read_bodies.hpp"
 
 namespace treeline {
@@ -96,8 +96,7 @@ class Equalities {
     }
     if (!element.has("site1")) place(element, *first, *second);
     FlatJoint loop;
-    loop.name = element.text("name", element.name() == "weld" ? "weld" : "connect");
-    while (!names_.insert(loop.name).second) loop.name += "_";
+    loop.name = names_.make(element.text("name", element.name() == "weld" ? "weld" : "connect"));
     loop.type = element.name() == "weld" ? "fixed" : "ball";
     loop.parent = first->link;
     loop.child = second->link;
@@ -123,7 +122,7 @@ class Equalities {
   }
 
   MjcfTree& tree_;
-  std::set<std::string> names_;
+  MadeNames names_;
 };
 
 }  // namespace

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "../../own_folder.hpp"
 #include "../diagnosed.hpp"
 #include "description/mjcf/read_bodies.hpp"
 #include "description/read_robot_text.hpp"
+#include "description/read_scene.hpp"
+#include "text/identifier.hpp"
 
 namespace treeline {
 namespace {
@@ -133,7 +136,30 @@ TEST(MjcfNames, AreMadeOfThoseAround) {
   for (const Joint& joint : robot->joints) names += joint.name + " ";
   EXPECT_EQ(names,
             "world arm arm_child_joint_link arm_child arm_site turn arm_child_joint "
-            "arm_child_joint_ arm_at ");
+            "arm_child_joint_2 arm_at ");
+}
+
+// Would catch names that differ in the file alone: joints of one name in emitted code are refused,
+// and nobody could rename what the file does not name.
+TEST(MjcfNames, DifferAsIdentifiers) {
+  const std::string free = "<body><freejoint/><geom size='0.1'/></body>";
+  for (const std::string& bodies :
+       {std::string("<body name='b'><joint/><joint axis='0 1 0'/><joint axis='1 0 0'/>"
+                    "<geom size='0.1' pos='0.1 0 0'/></body>"),
+        free + free + free,
+        std::string("<body name='b'><joint/><geom size='0.1' pos='0.1 0 0'/><body><joint "
+                    "name='b-joint'/><geom size='0.1' pos='0.1 0 0'/><body><joint "
+                    "name='b__joint_2'/><geom size='0.1'/></body></body></body>")}) {
+    Diagnostics diagnostics;
+    const auto robot = read("<worldbody>" + bodies + "</worldbody>", diagnostics);
+    ASSERT_TRUE(robot) << to_string(diagnostics);
+    std::set<std::string> links, joints;
+    for (const Link& link : robot->links) links.insert(identifier_from(link.name));
+    for (const Joint& joint : robot->joints) joints.insert(identifier_from(joint.name));
+    EXPECT_EQ(links.size(), robot->links.size()) << bodies;
+    EXPECT_EQ(joints.size(), robot->joints.size()) << bodies;
+    EXPECT_TRUE(parse_scene("", "s.yaml", *robot, diagnostics)) << to_string(diagnostics);
+  }
 }
 
 // Would catch bodies that lose what is stated of them where the geoms that count weigh nothing, and
