@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "cli/simulate_motion.hpp"
 #include "interpreter/instances.hpp"
@@ -38,52 +39,64 @@ Vector stable(const Vector& wanted, const Eigen::MatrixXd& w, double time) {
   }
 }
 
-void limit(const simulation::Model& model, double step, const Vector& q, JointSprings& springs,
-           Diagnostics& diagnostics) {
-  const Eigen::MatrixXd w = mobility(model, q);
+/// The joints of velocities: `elbow`, or `elbow and 2 more`.
+std::string name_joints(const std::vector<Coordinate>& coordinates, const simulation::Model& model,
+                        const std::vector<bool>& velocities) {
+  std::vector<std::string> names;
+  for (const auto& body : model.bodies) {
+    const int count = body.mimics ? 0 : interpreter::velocity_count(body.kind);
+    const auto first = velocities.begin() + body.v;
+    if (std::none_of(first, first + count, [](bool is_meant) { return is_meant; })) continue;
+    names.push_back(coordinates[static_cast<std::size_t>(body.q)].joint);
+  }
+  if (names.empty()) return {};
+  return names.size() == 1 ? names.front()
+                           : fmt::format("{} and {} more", names.front(), names.size() - 1);
+}
+
+void limit(const simulation::Model& model, const std::vector<Coordinate>& coordinates, double step,
+           JointSprings& springs, Diagnostics& diagnostics) {
+  const Eigen::MatrixXd w = mobility(model, springs.rest);
   const Vector stiffness = stable(springs.stiffness, w, step * step);
   const Vector damping = stable(springs.damping, w, step);
-  int weaker = 0;
+  std::vector<bool> weaker;
   for (int v = 0; v < model.nv; ++v) {
-    const bool is_joint = springs.coordinates[static_cast<std::size_t>(v)] >= 0;
-    const bool is_weaker = stiffness[v] < springs.stiffness[v] || damping[v] < springs.damping[v];
-    weaker += is_joint && is_weaker ? 1 : 0;
+    weaker.push_back(stiffness[v] < springs.stiffness[v] || damping[v] < springs.damping[v]);
   }
   springs.stiffness = stiffness;
   springs.damping = damping;
-  if (weaker == 0) return;
+  const std::string names = name_joints(coordinates, model, weaker);
+  if (names.empty()) return;
   diagnostics.add({Severity::note, "", 0, "--stiffness",
-                   fmt::format("{} joints are too light for the step and have weaker springs or "
-                               "dampers",
-                               weaker),
-                   "give a shorter --step where they yield too much"});
+                   "too light for the step, with weaker springs or dampers: " + names,
+                   "give a shorter --step where they yield too much, or --integrator adaptive"});
 }
 
 }  // namespace
 
-JointSprings make_springs(const simulation::Model& model, const MotionSettings& settings,
-                          const simulation::State& start, Diagnostics& diagnostics) {
-  JointSprings springs{Vector::Zero(model.nv), Vector::Zero(model.nv),
-                       Vector::Constant(model.nv, settings.damping),
-                       std::vector<int>(static_cast<std::size_t>(model.nv), -1)};
-  if (settings.stiffness == 0) return springs;
+JointSprings make_springs(const simulation::Model& model,
+                          const std::vector<Coordinate>& coordinates,
+                          const MotionSettings& settings, const simulation::State& start,
+                          bool on_ground, Diagnostics& diagnostics) {
+  JointSprings springs{simulation::coordinates_of(model),
+                       Vector::Constant(model.nv, settings.stiffness),
+                       Vector::Constant(model.nv, settings.damping), start.q};
   for (const auto& body : model.bodies) {
-    if (interpreter::velocity_count(body.kind) != 1 || body.mimics) continue;
-    springs.stiffness[body.v] = settings.stiffness;
-    springs.rest[body.v] = start.q[body.q];
-    springs.coordinates[static_cast<std::size_t>(body.v)] = body.q;
+    if (!on_ground || body.kind != interpreter::JointKind::floating) continue;
+    springs.stiffness.segment<6>(body.v).setZero();
+    springs.damping.segment<6>(body.v).setZero();
   }
-  limit(model, settings.step, start.q, springs, diagnostics);
+  if (settings.stiffness > 0 && settings.integrator != Integrator::adaptive) {
+    limit(model, coordinates, settings.step, springs, diagnostics);
+  }
   return springs;
 }
 
 Vector force_of(const JointSprings& springs, const simulation::State& state) {
   Vector tau = -springs.damping.cwiseProduct(state.qd);
-  for (int v = 0; v < tau.size(); ++v) {
-    const int q = springs.coordinates[static_cast<std::size_t>(v)];
-    if (q >= 0) tau[v] += springs.stiffness[v] * (springs.rest[v] - state.q[q]);
-  }
-  return tau;
+  if (springs.stiffness.isZero(0)) return tau;
+  return tau - springs.stiffness.cwiseProduct(
+                   simulation::displacement(springs.coordinates, springs.rest, state.q));
 }
 
 }  // namespace treeline

@@ -8,6 +8,7 @@
 #include "cli/find_all_meshes.hpp"
 #include "cli/read_robot_files.hpp"
 #include "cli/simulate_motion.hpp"
+#include "cli/simulated_scene.hpp"
 #include "description/read_surroundings.hpp"
 #include "oracle/leave_out_singular.hpp"
 #include "terminal/exit_code.hpp"
@@ -61,21 +62,28 @@ std::string print_ground(const simulation::GroundAccount& ground) {
   return text;
 }
 
-std::string print_text(const std::string& robot, const MotionSettings& settings,
-                       const Motion& motion) {
-  const bool conserves = !settings.holds_weight && settings.damping == 0 && settings.stiffness == 0;
-  const std::string by = motion.ground
-                             ? fmt::format(", of which contacts {:.3e} J{}", motion.ground->energy,
-                                           conserves ? "" : ", and joint forces")
-                         : conserves ? ", the integrator's error"
-                                     : ", to which joint forces contribute";
+/// What the change of the energy at the end consists of.
+std::string print_parts(const Motion& motion) {
+  std::string parts;
+  if (motion.has_joint_forces) {
+    parts += fmt::format("joint forces and friction {:.3e} J, ", motion.joint_work);
+  }
+  if (motion.has_contacts) {
+    parts += fmt::format("{} {:.3e} J, ", motion.ground ? "contacts and stops" : "stops",
+                         motion.contact_energy);
+  }
+  if (parts.empty()) return ", the integrator's error";
+  return fmt::format(": {}the integrator's error {:.3e} J", parts, motion.integrator_error());
+}
+
+std::string print_text(const std::string& robot, const Motion& motion) {
   std::string text = fmt::format(
       "{}: {:g} s, {} rows\n"
       "  energy at the start    {:.6g} J\n"
       "  change at the end      {:.3e} J{}\n"
       "  largest change         {:.3e} J\n",
-      robot, last_time(motion), motion.table.rows(), motion.start_energy, motion.energy_change, by,
-      motion.largest_change);
+      robot, last_time(motion), motion.table.rows(), motion.start_energy, motion.energy_change,
+      print_parts(motion), motion.largest_change);
   if (motion.ground) text += print_ground(*motion.ground);
   if (motion.adaptive_steps > 0) {
     text += fmt::format("  steps                  {}, {} tried and found too long\n",
@@ -101,13 +109,16 @@ std::string print_json(const std::string& robot, const Motion& motion) {
                                  {"given_up", gave_up(motion)},
                                  {"start_energy", motion.start_energy},
                                  {"energy_change", motion.energy_change},
+                                 {"joint_work", motion.joint_work},
+                                 {"contact_energy", motion.contact_energy},
+                                 {"integrator_error", motion.integrator_error()},
                                  {"largest_change", motion.largest_change},
                                  {"quaternion_error", motion.quaternion_error},
                                  {"adaptive_steps", motion.adaptive_steps},
                                  {"rejected_steps", motion.rejected_steps}};
   if (motion.ground) {
     const simulation::GroundAccount& ground = *motion.ground;
-    json["ground"] = {{"energy", ground.energy},
+    json["ground"] = {{"energy", motion.contact_energy},
                       {"impulse", {ground.impulse.x(), ground.impulse.y(), ground.impulse.z()}},
                       {"most_contacts", ground.most_contacts},
                       {"bounces", ground.bounces},
@@ -134,8 +145,7 @@ bool write_files(const SimulateOptions& options, const RobotWithFiles& of, const
 /// Writes the results. With `--csv -` the table goes to standard output, the summary to messages.
 ExitCode write_data(const SimulateOptions& options, const std::string& robot, const Motion& motion,
                     ExitCode exit_code) {
-  const std::string summary =
-      options.json ? print_json(robot, motion) : print_text(robot, options.motion, motion);
+  const std::string summary = options.json ? print_json(robot, motion) : print_text(robot, motion);
   const OutputForm form = options.json ? OutputForm::json : OutputForm::text;
   if (options.csv != "-") return write_output(summary, form, exit_code);
   print_message(printable_lines(summary));
@@ -144,8 +154,9 @@ ExitCode write_data(const SimulateOptions& options, const std::string& robot, co
 
 /// The ground of the scene, or the default one of `--ground`, with what may touch it.
 std::optional<GroundOfRobot> read_ground_of(const SimulateOptions& options,
-                                            const RobotWithFiles& read, Diagnostics& diagnostics) {
-  auto law = surroundings_of(read.files.scene_text, read.robot).ground;
+                                            const RobotWithFiles& read,
+                                            std::optional<SceneGround> law,
+                                            Diagnostics& diagnostics) {
   if (options.ground && !law) law.emplace();
   if (!law && options.motion.height) {
     diagnostics.add({Severity::error, "", 0, "--height", "there is no ground to be above",
@@ -159,8 +170,14 @@ std::optional<GroundOfRobot> read_ground_of(const SimulateOptions& options,
 int simulate(const SimulateOptions& options, Diagnostics& diagnostics) {
   const auto read = read_robot_files(options.urdf, options.scene, diagnostics);
   const auto scene = read ? parse_scene_of(*read, diagnostics) : std::nullopt;
-  if (!scene || !has_accelerations(read->robot, *scene, diagnostics)) return kBadInput;
-  const auto ground = read_ground_of(options, *read, diagnostics);
+  if (!scene) return kBadInput;
+  refuse_unheld(read->robot, *scene, diagnostics);
+  if (diagnostics.has_errors() || !has_accelerations(read->robot, *scene, diagnostics)) {
+    return kBadInput;
+  }
+  const SceneSurroundings around = surroundings_of(read->files.scene_text, read->robot);
+  note_unsimulated(*scene, around, options.motion.has_joint_forces(), diagnostics);
+  const auto ground = read_ground_of(options, *read, around.ground, diagnostics);
   for (const std::string& file : {options.csv, options.svg}) {
     (void)may_write(file, list_paths(read->files), diagnostics);
   }
@@ -196,7 +213,8 @@ void add_motion_options(CLI::App& command, MotionSettings& motion) {
       ->check(between(0, 1e12));
   command
       .add_option("--stiffness", motion.stiffness,
-                  "Joint force per displacement from the start, as far as --step permits")
+                  "Joint force per displacement from the start, as far as --step permits; of "
+                  "quaternions the rotation vector counts")
       ->check(between(0, 1e12));
 }
 
@@ -207,7 +225,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("simulate", "Let a robot go, and tell what became of its energy");
   command->add_option("urdf", options->urdf, kRobotArgument)->required();
-  command->add_option("scene", options->scene, "Base, gravity, locked joints; YAML");
+  command->add_option("scene", options->scene,
+                      "Base, gravity, ground, locked joints, what is in joints; YAML");
   add_motion_options(*command, options->motion);
   command->add_flag("--stops", options->motion.stops,
                     "Joints stop at the limits of their file, without bouncing");

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "interpreter/instances.hpp"
+#include "interpreter/joint_forces.hpp"
 #include "mechanism/build_mechanism.hpp"
 #include "oracle/model_from_robot.hpp"
 #include "simulation/integrate.hpp"
@@ -39,22 +41,86 @@ std::optional<simulation::State> start_state(const simulation::Model& model,
   return state;
 }
 
+/// Joint forces that someone asked for, at a state.
+using JointForces = std::function<Vector(const simulation::State&)>;
+
 /// On a ground nothing but the ground holds a floating base.
-simulation::Acceleration acceleration_of(const simulation::Model& model, bool holds_weight,
-                                         bool on_ground, const JointSprings& springs) {
-  return [&model, holds_weight, on_ground, springs](double, const simulation::State& state) {
+JointForces joint_forces_of(const simulation::Model& model, bool holds_weight, bool on_ground,
+                            const JointSprings& springs) {
+  return [&model, holds_weight, on_ground, springs](const simulation::State& state) {
     Vector tau = force_of(springs, state);
-    if (holds_weight) {
-      const Vector rest = Vector::Zero(model.nv);
-      tau += interpreter::inverse_dynamics<double>(model, state.q, rest, rest);
-    }
+    if (!holds_weight) return tau;
+    const Vector rest = Vector::Zero(model.nv);
+    Vector weight = interpreter::inverse_dynamics<double>(model, state.q, rest, rest);
     for (const auto& body : model.bodies) {
       const bool floats = body.kind == interpreter::JointKind::floating;
-      if (floats && on_ground) tau.segment<6>(body.v).setZero();
+      if (floats && on_ground) weight.segment<6>(body.v).setZero();
     }
-    return interpreter::forward_dynamics<double>(model, state.q, state.qd, tau);
+    return Vector(tau + weight);
   };
 }
+
+/// Forces by which friction of the joints resists a motion.
+Vector friction_of(const simulation::Model& model, const simulation::State& state) {
+  const Vector rest = Vector::Zero(model.nv);
+  return interpreter::joint_forces<double>(model, state.q, state.qd) -
+         interpreter::joint_forces<double>(model, state.q, rest);
+}
+
+bool has_friction(const simulation::Model& model) {
+  return std::any_of(model.bodies.begin(), model.bodies.end(),
+                     [](const auto& body) { return body.damping != 0 || body.friction != 0; });
+}
+
+/// Integrates the work of joint forces and friction along with a motion: it is one more velocity,
+/// so that its error is of the same order as theirs.
+class CountedFlight {
+ public:
+  CountedFlight(const simulation::Model& model, JointForces forces)
+      : model_(model), forces_(std::move(forces)), coordinates_(simulation::coordinates_of(model)) {
+    ++coordinates_.nq;
+    ++coordinates_.nv;
+  }
+
+  [[nodiscard]] const simulation::Coordinates& coordinates() const { return coordinates_; }
+
+  [[nodiscard]] simulation::Acceleration acceleration() const {
+    return [this](double, const simulation::State& counted) {
+      const simulation::State state = without_work(counted);
+      const Vector tau = forces_(state);
+      return with_number(interpreter::forward_dynamics<double>(model_, state.q, state.qd, tau),
+                         state.qd.dot(tau - friction_of(model_, state)));
+    };
+  }
+
+  /// Flies by `integrate(state)`, whose answer it returns.
+  template <class Integrate>
+  bool fly(simulation::State& state, const Integrate& integrate) const {
+    const double before = simulation::mechanical_energy(model_, state);
+    simulation::State counted{with_number(state.q, 0), with_number(state.qd, 0)};
+    const bool arrived = integrate(counted);
+    const simulation::FlightAccount flown = state.flown;
+    state = without_work(counted);
+    state.flown.work = flown.work + counted.qd[model_.nv];
+    state.flown.change = flown.change + simulation::mechanical_energy(model_, state) - before;
+    return arrived;
+  }
+
+ private:
+  [[nodiscard]] simulation::State without_work(const simulation::State& counted) const {
+    return {counted.q.head(model_.nq), counted.qd.head(model_.nv)};
+  }
+
+  static Vector with_number(const Vector& numbers, double last) {
+    Vector longer(numbers.size() + 1);
+    longer << numbers, last;
+    return longer;
+  }
+
+  const simulation::Model& model_;
+  JointForces forces_;
+  simulation::Coordinates coordinates_;
+};
 
 std::vector<std::string> column_names(const simulation::Model& model, bool on_ground) {
   std::vector<std::string> names = {"time_s"};
@@ -114,8 +180,9 @@ class Run {
         settings_(settings),
         ground_(ground),
         surface_(surface),
-        coordinates_(simulation::coordinates_of(model)),
-        qdd_(acceleration_of(model, settings.holds_weight, surface.has_value(), springs)),
+        counted_(model,
+                 joint_forces_of(model, settings.holds_weight, surface.has_value(), springs)),
+        qdd_(counted_.acceleration()),
         adaptive_{settings.tolerance, settings.tolerance, std::min(1e-3, settings.step)},
         state_(std::move(start)) {}
 
@@ -123,7 +190,9 @@ class Run {
     const auto names = column_names(model_, surface_.has_value());
     Motion motion{report::Table(names, static_cast<std::size_t>(steps) + 1)};
     motion.rows_planned = steps + 1;
-    motion.has_quaternions = !coordinates_.quaternions.empty();
+    motion.has_quaternions = !counted_.coordinates().quaternions.empty();
+    motion.has_contacts = ground_.has_value();
+    motion.has_joint_forces = settings_.has_joint_forces() || has_friction(model_);
     if (surface_) motion.ground.emplace();
     for (int i = 0; record(i * settings_.step, motion) && i < steps; ++i) {
       if (!advance(i * settings_.step, motion)) break;
@@ -139,9 +208,11 @@ class Run {
     if (!finite || !is_credible(energy, motion)) return false;
     if (motion.table.rows() == 0) motion.start_energy = energy;
     motion.energy_change = energy - motion.start_energy;
+    motion.joint_work = state_.flown.work;
+    if (ground_) motion.contact_energy = motion.energy_change - state_.flown.change;
     motion.largest_change = std::max(motion.largest_change, std::abs(motion.energy_change));
     motion.quaternion_error =
-        std::max(motion.quaternion_error, quaternion_error(coordinates_, state_.q));
+        std::max(motion.quaternion_error, quaternion_error(counted_.coordinates(), state_.q));
     std::vector<double> row = {time};
     row.insert(row.end(), state_.q.begin(), state_.q.end());
     row.insert(row.end(), state_.qd.begin(), state_.qd.end());
@@ -170,18 +241,24 @@ class Run {
   }
 
   bool fly(double time, double dt, simulation::State& state, Motion& motion) {
+    return counted_.fly(
+        state, [&](simulation::State& counted) { return integrate(time, dt, counted, motion); });
+  }
+
+  bool integrate(double time, double dt, simulation::State& state, Motion& motion) {
+    const simulation::Coordinates& coordinates = counted_.coordinates();
     switch (settings_.integrator) {
       case Integrator::semi_implicit_euler:
-        simulation::step_semi_implicit_euler(coordinates_, qdd_, time, dt, state);
+        simulation::step_semi_implicit_euler(coordinates, qdd_, time, dt, state);
         return true;
       case Integrator::runge_kutta:
-        simulation::step_runge_kutta(coordinates_, qdd_, time, dt, state);
+        simulation::step_runge_kutta(coordinates, qdd_, time, dt, state);
         return true;
       case Integrator::adaptive:
         break;
     }
     const auto report =
-        simulation::integrate_adaptively(coordinates_, qdd_, time, time + dt, adaptive_, state);
+        simulation::integrate_adaptively(coordinates, qdd_, time, time + dt, adaptive_, state);
     motion.adaptive_steps += report.steps;
     motion.rejected_steps += report.rejected;
     adaptive_.first_step = report.next_step;
@@ -192,7 +269,7 @@ class Run {
   const MotionSettings& settings_;
   const std::optional<simulation::Ground>& ground_;
   const std::optional<simulation::Surface> surface_;
-  const simulation::Coordinates coordinates_;
+  const CountedFlight counted_;
   const simulation::Acceleration qdd_;
   simulation::AdaptiveSettings adaptive_;
   simulation::State state_;
@@ -218,7 +295,8 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
       (!settings.stops || starts_between_stops(mechanism.coordinates, *state, diagnostics));
   if (!starts || !steps) return std::nullopt;
   const auto surface = make_surface(model, ground, settings.step);
-  const JointSprings springs = make_springs(model, settings, *state, diagnostics);
+  const JointSprings springs =
+      make_springs(model, mechanism.coordinates, settings, *state, ground.has_value(), diagnostics);
   return Run(model, settings, below, surface, springs, std::move(*state)).run(*steps);
 }
 

@@ -28,10 +28,14 @@ struct MotionSettings {
   bool holds_weight = false;  ///< joint forces cancel gravity
   double damping = 0;         ///< joint force per joint velocity, N s/m or N m s
   bool stops = false;         ///< joints stop at their limits
-  double stiffness = 0;       ///< joint force per displacement from the start, N/m or N m
+  double stiffness = 0;       ///< joint force per displacement from the start, N/m or N m/rad
   /// m, of a floating robot's lowest point at the start; empty: as `q` says, without `q` on the
   /// ground where it would be in it
   std::optional<double> height;
+
+  [[nodiscard]] bool has_joint_forces() const {
+    return holds_weight || damping > 0 || stiffness > 0;
+  }
 };
 
 /// The ground of a scene, and what of the robot may touch it.
@@ -46,8 +50,16 @@ struct Motion {
   report::Table table;
   int rows_planned = 0;       ///< fewer in the table: the motion was given up
   double start_energy = 0;    ///< J
-  double energy_change = 0;   ///< J, at the end; an error where no force acts but gravity
+  double energy_change = 0;   ///< J, at the end: of joints, of contacts, and an error
+  double joint_work = 0;      ///< J of these: of joint forces and friction
+  double contact_energy = 0;  ///< J of these: of the ground and stops
   double largest_change = 0;  ///< J, of all steps
+  /// J of the change at the end that the integrator has made out of nothing.
+  [[nodiscard]] double integrator_error() const {
+    return energy_change - joint_work - contact_energy;
+  }
+  bool has_joint_forces = false;  ///< joint forces or friction may act
+  bool has_contacts = false;      ///< a ground or stops may
   bool has_quaternions = false;
   double quaternion_error = 0;  ///< largest | |quaternion| - 1 |
   int adaptive_steps = 0, rejected_steps = 0;
@@ -65,18 +77,21 @@ std::optional<Motion> simulate_motion(const Robot& robot, const Scene& scene,
 /// Coordinates and energy over time.
 report::Plot plot_motion(const std::string& robot, const Motion& motion);
 
-/// Springs and dampers in the joints; one entry for each velocity.
+/// Springs and dampers along every velocity.
 struct JointSprings {
-  simulation::Vector stiffness, rest, damping;
-  std::vector<int> coordinates;  ///< where the spring's coordinate is in q; -1: it has no spring
+  simulation::Coordinates coordinates;
+  simulation::Vector stiffness, damping;  ///< an entry for each velocity
+  simulation::Vector rest;                ///< coordinates
 };
 
-/// Springs and dampers as `settings` has them: springs in joints of one freedom, at rest at
-/// `start`. With springs, both are as strong in each joint as the step permits: the eigenvalues of
-/// M^-1 K step^2 and of M^-1 D step at the start are at most 1, where explicit integrators are
-/// stable. A note tells how many joints are weaker for that.
-JointSprings make_springs(const simulation::Model& model, const MotionSettings& settings,
-                          const simulation::State& start, Diagnostics& diagnostics);
+/// Springs and dampers as `settings` has them, at rest at `start`, but of what floats on a ground.
+/// With springs and fixed steps, both are as strong in each joint as the step permits: the
+/// eigenvalues of M^-1 K step^2 and of M^-1 D step at the start are at most 1, where explicit
+/// integrators are stable. A note names joints that are weaker for that.
+JointSprings make_springs(const simulation::Model& model,
+                          const std::vector<Coordinate>& coordinates,
+                          const MotionSettings& settings, const simulation::State& start,
+                          bool on_ground, Diagnostics& diagnostics);
 
 /// Their joint forces.
 simulation::Vector force_of(const JointSprings& springs, const simulation::State& state);

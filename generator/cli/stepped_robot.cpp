@@ -7,6 +7,7 @@
 #include "choice/for_each_index.hpp"
 #include "cli/find_all_meshes.hpp"
 #include "cli/simulate_motion.hpp"
+#include "cli/simulated_scene.hpp"
 #include "description/read_surroundings.hpp"
 #include "interpreter/instances.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -103,12 +104,7 @@ std::optional<SteppedRobot> make_stepped_robot(const RobotAndScene& inputs,
                                                Diagnostics& diagnostics) {
   const Robot& robot = inputs.robot;
   const Scene& scene = inputs.scene;
-  const auto refuse = [&](bool applies, const char* key, const char* fault) {
-    if (!applies) return;
-    diagnostics.add({Severity::error, scene.file, 0, key, fault, "Leave it out."});
-  };
-  refuse(scene.holds_rows(), "constraints", "a step does not hold constraints and couplings");
-  refuse(!scene.objects.empty(), "objects", "a step does not move them");
+  refuse_unheld(robot, scene, diagnostics);
   if (diagnostics.has_errors() || !has_accelerations(robot, scene, diagnostics)) return {};
   std::optional<GroundOfRobot> ground;
   if (const auto law = surroundings_of(inputs.files.scene_text, robot).ground) {

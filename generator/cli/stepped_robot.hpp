@@ -46,7 +46,7 @@ class SteppedRobot {
 };
 
 /// The robot of a scene on the ground of that scene. Errors: a mass matrix that is singular in
-/// every pose; constraints and couplings, which a step does not hold; objects; a ground that
+/// every pose; what no step holds, see `refuse_unheld`; a ground that
 /// nothing can touch. Meshes that are missing are a warning.
 std::optional<SteppedRobot> make_stepped_robot(const RobotAndScene& inputs,
                                                Diagnostics& diagnostics);

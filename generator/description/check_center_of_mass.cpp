@@ -23,7 +23,7 @@ struct Fault {
 Fault find_fault(const Robot& robot, const Scene& scene, const std::string& name) {
   const SceneInputs& inputs = scene.inputs;
   if (!(total_mass(robot) > 0)) {
-    return {"no link has mass", "give some link mass in the URDF, or remove the point"};
+    return {"no link has mass", "give some link mass in the robot's file, or remove the point"};
   }
   if (inputs.base_parameters) {
     return {"base parameters are an argument, which do not contain its place",

@@ -30,6 +30,14 @@ Quaternion quaternion_of(const Vector3& turn) {
   return result;
 }
 
+/// The shorter rotation vector of a quaternion of unit length, the inverse of `quaternion_of`.
+Vector3 turn_of(const Quaternion& rotation) {
+  const double sine = rotation.head<3>().norm();
+  const double cosine = rotation(3);
+  const double half = std::atan2(cosine < 0 ? -sine : sine, std::abs(cosine));
+  return (sine > 1e-9 ? 2 * half / sine : std::copysign(2.0, cosine)) * rotation.head<3>();
+}
+
 /// Calls `on_run(q, v, count)` for coordinates that correspond one to one to velocities, and
 /// `on_quaternion(joint)` for the others.
 template <class OnRun, class OnQuaternion>
@@ -94,6 +102,29 @@ void move(const Coordinates& coordinates, const Vector& qd, double dt, Vector& q
         q.segment<4>(joint.quaternion()) = product(before, quaternion_of(turn));
       });
   normalise_quaternions(coordinates, q);
+}
+
+Vector displacement(const Coordinates& coordinates, const Vector& from, const Vector& to) {
+  Vector way(coordinates.nv);
+  visit(
+      coordinates,
+      [&](int iq, int iv, int count) {
+        way.segment(iv, count) = to.segment(iq, count) - from.segment(iq, count);
+      },
+      [&](const QuaternionJoint& joint) {
+        Quaternion back = from.segment<4>(joint.quaternion());
+        back.head<3>() = -back.head<3>();
+        const Quaternion now = to.segment<4>(joint.quaternion());
+        way.segment<3>(joint.turn()) =
+            turn_of(Quaternion(product(back.normalized(), now.normalized())));
+        if (joint.has_position) {
+          const Vector3 u = now.head<3>();
+          way.segment<3>(joint.v) =
+              interpreter::rotation_from_quaternion<double>(u, now(3)).transpose() *
+              (to.segment<3>(joint.q) - from.segment<3>(joint.q));
+        }
+      });
+  return way;
 }
 
 void normalise_quaternions(const Coordinates& coordinates, Vector& q) {

@@ -13,9 +13,16 @@ using Vector3 = interpreter::Vector3<double>;
 using Matrix3 = interpreter::Matrix3<double>;
 using Model = interpreter::Model<double>;
 
+/// What flights without contact did to the energy of a robot, J.
+struct FlightAccount {
+  double change = 0;  ///< of the energy
+  double work = 0;    ///< of joint forces and friction; the rest of the change is an error
+};
+
 /// Coordinates and velocities.
 struct State {
   Vector q, qd;
+  FlightAccount flown = {};  ///< of all flights that led here, if flights count it
 };
 
 /// Place of the coordinates of a joint with a quaternion.
@@ -42,6 +49,10 @@ Vector coordinate_rates(const Coordinates& coordinates, const Vector& q, const V
 /// Moves the coordinates for `dt` seconds with constant body twists and rates `qd`. Rotations are
 /// exp(w dt), so quaternions keep unit length.
 void move(const Coordinates& coordinates, const Vector& qd, double dt, Vector& q);
+
+/// How far coordinates are from others, by velocity: differences; of a quaternion the rotation
+/// vector that leads from one to the other, of a floating joint the way in its child's axes.
+Vector displacement(const Coordinates& coordinates, const Vector& from, const Vector& to);
 
 /// Restores unit length of the quaternions, which steps that add rates preserve only to their
 /// order.

@@ -152,5 +152,37 @@ TEST(AdaptiveIntegrator, GivesUpWhereNoStepIsShortEnough) {
   EXPECT_FALSE(report.arrived);
 }
 
+// A spring along it would have energy: half its square changes by it times the velocities. Would
+// catch ways in other axes than the velocities', and turns the long way round.
+TEST(Displacement, IsThatOfAConservativeSpring) {
+  RandomOptions options = kFloatingTree;
+  options.mix.ball = 1;
+  int balls = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Sample sample = random_sample(seed, options);
+    const Coordinates coordinates = coordinates_of(sample.model);
+    Rng rng(seed);
+    for (const double size : {1e-12, 0.1, 1.0}) {
+      const Vector start = sample.state.q;
+      Vector q = start;
+      move(coordinates, random_entries<double>(rng, sample.model.nv, size), 1, q);
+      const Vector way = displacement(coordinates, start, q);
+      const auto energy = [&](double time) {
+        Vector moved = q;
+        move(coordinates, sample.state.qd, time, moved);
+        return 0.5 * displacement(coordinates, start, moved).squaredNorm();
+      };
+      const double rate = (energy(1e-5) - energy(-1e-5)) / 2e-5;
+      EXPECT_NEAR(rate, way.dot(sample.state.qd), 1e-8 * (1 + size)) << seed;
+      for (const auto& joint : coordinates.quaternions) {
+        q.segment<4>(joint.quaternion()) *= -1;  // the same rotations
+        balls += joint.has_position ? 0 : 1;
+      }
+      EXPECT_LT((displacement(coordinates, start, q) - way).norm(), 1e-15 + 1e-12 * size) << seed;
+    }
+  }
+  EXPECT_GT(balls, 0);
+}
+
 }  // namespace
 }  // namespace treeline::tests
