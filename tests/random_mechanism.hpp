@@ -36,6 +36,8 @@ struct RandomOptions {
   int operational_points = 1;
   bool all_rows = true;  ///< false: a random subset of at least one row
   int external_forces = 0;
+  /// Some followers turn the other way, some are as fast as their leaders, some follow followers.
+  bool varied_mimics = false;
 };
 
 struct RandomMechanism {
@@ -205,6 +207,25 @@ inline void add_mimics(Rng& rng, const RandomOptions& options, Robot& robot) {
   }
 }
 
+/// See `RandomOptions::varied_mimics`.
+inline void vary_mimics(Rng& rng, Robot& robot) {
+  const int count = static_cast<int>(robot.joints.size());
+  const auto follows = [&](int i) { return robot.joints[at(i)].mimic.has_value(); };
+  for (int i = 0; i < count; ++i) {
+    if (!follows(i)) continue;
+    Mimic& mimic = *robot.joints[at(i)].mimic;
+    if (rng.chance(0.3)) mimic.multiplier = 1;
+    if (rng.chance(0.5)) mimic.multiplier = -mimic.multiplier;
+    const int other = rng.below(count);
+    const bool is_led = std::any_of(robot.joints.begin(), robot.joints.end(),
+                                    [&](const Joint& j) { return j.mimic && j.mimic->joint == i; });
+    if (other == i || is_led || !follows(other)) continue;
+    if (follows(robot.joints[at(other)].mimic->joint)) continue;
+    mimic.joint = other;
+    mimic.multiplier = mimic.multiplier < 0 ? -0.5 : 2;  // so that the product is a double
+  }
+}
+
 inline ScenePoint random_point(Rng& rng, const RandomOptions& options, const Robot& robot,
                                const std::string& name) {
   ScenePoint point;
@@ -263,6 +284,7 @@ inline RandomMechanism random_mechanism(std::uint64_t seed, const RandomOptions&
   made.robot = detail::random_tree(rng, options);
   detail::remove_inertias(rng, options, made.robot);
   detail::add_mimics(rng, options, made.robot);
+  if (options.varied_mimics) detail::vary_mimics(rng, made.robot);
   Scene& scene = made.scene;
   scene.name = "random_robot";
   scene.noise = 0;  // sums of decimals that nearly vanish must count in 50 digits

@@ -35,7 +35,8 @@ std::string print_link(const Syntax& syntax, const LinkTypes::TlLink& of) {
 std::string print_frames(const Syntax& syntax, const LinkInput& input) {
   std::string text;
   for (const LinkTypes::TlInputNumber& number : input.numbers) {
-    text += fmt::format("    {{{}, {}}},\n", number.of, number.at);
+    text += fmt::format("    {{{}, {}, {}}},\n", number.of, number.at,
+                        signed_literal(syntax, number.factor));
   }
   for (const LinkTypes::TlInputFrame& frame : input.frames) {
     text += wrap_line(fmt::format("{{{}, {}, {{{}}}, {}}},", frame.of, frame.at,

@@ -80,7 +80,7 @@ void append_base_parameters(const Mechanism& mechanism, std::vector<std::string>
     const ModelParameter& named = found->parameters[found->base[k].parameter];
     std::string text = describe(found->base[k], *found);
     if (named.kind == ModelParameter::Kind::coulomb) {
-      text += fmt::format(" of s(qd / {:.6g})", static_cast<double>(Digits50(1 / named.sharpness)));
+      text += " of " + sign_of(named);
     }
     notes.push_back(fmt::format("base_parameters {}: {}, {}, in the files {}", k, text,
                                 unit_of(named), format_literal(value)));

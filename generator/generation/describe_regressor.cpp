@@ -8,13 +8,10 @@
 namespace treeline {
 namespace {
 
-using Kind = ModelParameter::Kind;
-
-/// `elbow rotor`; of Coulomb friction with the width that its column has.
-std::string describe_drive(const ModelParameter& parameter) {
-  if (parameter.kind != Kind::coulomb) return name_of(parameter);
-  return fmt::format("{}, whose column is s(qd / {:.6g})", name_of(parameter),
-                     static_cast<double>(Digits50(1 / parameter.sharpness)));
+/// The text about a parameter or a combination; of Coulomb friction with its column.
+std::string with_column(const std::string& text, const ModelParameter& parameter) {
+  if (parameter.kind != ModelParameter::Kind::coulomb) return text;
+  return fmt::format("{}, whose column is {}", text, sign_of(parameter));
 }
 
 void append_all(const Mechanism& mechanism, std::vector<std::string>& notes) {
@@ -22,9 +19,9 @@ void append_all(const Mechanism& mechanism, std::vector<std::string>& notes) {
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const ModelParameter& parameter = parameters[k];
     if (!parameter.is_of_body()) {
-      notes.push_back(fmt::format("p {}: {}", k, describe_drive(parameter)));
+      notes.push_back(fmt::format("p {}: {}", k, with_column(name_of(parameter), parameter)));
     } else if (parameter.entry == 0) {
-      const bool added = parameter.kind == Kind::payload;
+      const bool added = parameter.kind == ModelParameter::Kind::payload;
       notes.push_back(
           fmt::format("p {}..{}: m, m c_x, m c_y, m c_z, Ixx, Ixy, Iyy, Ixz, Iyz, Izz "
                       "of {} {}{}",
@@ -38,9 +35,8 @@ void append_base(const Mechanism& mechanism, std::vector<std::string>& notes) {
   const auto found = base_parameters_of(mechanism);
   for (std::size_t k = 0; k < found->base.size(); ++k) {
     const ModelParameter& named = found->parameters[found->base[k].parameter];
-    notes.push_back(fmt::format(
-        "p {}: {}", k,
-        named.kind == Kind::coulomb ? describe_drive(named) : describe(found->base[k], *found)));
+    notes.push_back(
+        fmt::format("p {}: {}", k, with_column(describe(found->base[k], *found), named)));
   }
   notes.emplace_back("E p has the potential energy of base parameters up to a constant");
 }

@@ -16,7 +16,7 @@ UnitOfLink unit_of_link(const ModelParameter& column, const Robot& robot) {
   if (column.kind == ModelParameter::Kind::viscous) unit.kind = Kind::viscous;
   if (column.kind == ModelParameter::Kind::coulomb) {
     unit.kind = Kind::coulomb;
-    unit.slip_speed = static_cast<double>(Digits50(1 / column.sharpness));
+    unit.slip_speed = column.width();
   }
   return unit;
 }

@@ -19,11 +19,11 @@ Eigen::MatrixXd TermSizes::inverse_dynamics_regressor(const std::vector<double>&
   for (Eigen::Index k = 0; k < Y.cols(); ++k) {
     const auto& unit = units[static_cast<std::size_t>(k)];
     if (unit.kind != UnitKind::inertial) {
-      const int v = subject_.model.body(unit.body).v;
-      const auto at = static_cast<std::size_t>(v);
-      Y(v, k) = unit.kind == UnitKind::coulomb
-                    ? 1
-                    : std::abs(unit.kind == UnitKind::rotor ? qdd[at] : qd[at]);
+      const auto& joint = subject_.model.body(unit.body);
+      const auto at = static_cast<std::size_t>(joint.v);
+      const double m = std::abs(joint.multiplier);
+      const double rate = unit.kind == UnitKind::rotor ? qdd[at] : qd[at];
+      Y(joint.v, k) = unit.kind == UnitKind::coulomb ? m : m * m * std::abs(rate);
       continue;
     }
     const Columns own = columns(unit.body, 0);
@@ -47,7 +47,8 @@ Eigen::MatrixXd TermSizes::energy_regressor(const std::vector<double>& qd) const
     const auto& unit = units[static_cast<std::size_t>(k)];
     if (unit.kind == UnitKind::viscous || unit.kind == UnitKind::coulomb) continue;
     if (unit.kind == UnitKind::rotor) {
-      const double rate = qd[static_cast<std::size_t>(subject_.model.body(unit.body).v)];
+      const auto& joint = subject_.model.body(unit.body);
+      const double rate = joint.multiplier * qd[static_cast<std::size_t>(joint.v)];
       E(0, k) = rate * rate / 2;
       continue;
     }

@@ -15,6 +15,7 @@ typedef struct TlInputFrame TlInputFrame;
 struct TlInputNumber {
   int16_t of;  ///< the link of the joint
   int16_t at;  ///< its entry in the argument; -1: it is 0
+  real factor;  ///< how many times the joint's coordinate feels it
 };
 typedef struct TlInputNumber TlInputNumber;
 
@@ -164,7 +165,7 @@ TL_INLINE void tl_turn_points(const TlInputFrame* frames, int32_t count,
 
 /// What an argument says of a joint.
 TL_INLINE real tl_number_of(const TlInputNumber* number, const real* argument) {
-  return (number->at < 0) ? TL_ZERO : argument[number->at];
+  return (number->at < 0) ? TL_ZERO : (number->factor * argument[number->at]);
 }
 
 TL_INLINE void tl_copy_rotors(const TlLink* from, int32_t count, real* to) {

@@ -78,6 +78,7 @@ Matrix<Scalar> inverse_dynamics_regressor(const Model<Scalar>& model,
       if (unit.kind == UnitParameter::Kind::coulomb) {
         own(0) = interpreter::smooth_sign<Scalar>(own(0) / Scalar(unit.slip_speed));
       }
+      own *= owner.multiplier;
       continue;
     }
     const detail::UnitInertia<Scalar> inertia(unit.entry);

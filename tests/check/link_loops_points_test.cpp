@@ -1,4 +1,6 @@
 #include "link_loops_fixture.hpp"
+#include "mechanism/build_mechanism.hpp"
+#include "recursion/parameters/model_parameter.hpp"
 
 // Functions that loop over a table of links, with points of all kinds and what arguments say of a
 // robot. Would catch: rows of some axes, or of points on the world, that are wrong; a law of rows
@@ -67,9 +69,9 @@ Subjects with_base_drives(Subjects subjects) {
   return subjects;
 }
 
-// Of some rotors base parameters are named after a link. Springs and what mimics stay as the files
-// have them, and what the argument gives counts in the step too. Would catch: a rotor of another
-// joint, or one that a part of a function takes from the table.
+// Of some rotors base parameters are named after a link. Springs stay as the files have them, and
+// what the argument gives counts in the step too. Would catch: a rotor of another joint, or one
+// that a part of a function takes from the table.
 TEST(LinkLoopsCheck, RotorsAndFrictionAmongBaseParameters) {
   auto samm = with_base_drives(load_unmade("samm", "scene.yaml"));
   samm.scene.joint_springs["joint2"] = {40, 0.3};
@@ -82,6 +84,21 @@ TEST(LinkLoopsCheck, RotorsAndFrictionAmongBaseParameters) {
   humanoid.scene.joint_friction["knee"] = {1, 5, 0.05};
   humanoid.scene.implicit_friction = true;
   expect_safe(humanoid, Real::float64);
+}
+
+// Would catch: Coulomb friction of a joint that mimics at another multiple or width, and a rotor of
+// one that stays as the files have it.
+TEST(LinkLoopsCheck, RotorsAndFrictionOfFollowersAmongBaseParameters) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto [robot, scene] =
+        random_mechanism(seed, {.joints = 7, .mimic = 0.7, .rotors = 0.5, .varied_mimics = true});
+    const Subjects followers = with_base_drives({robot, scene, {}});
+    const auto columns = regressor_columns(build_mechanism(robot, followers.scene));
+    ASSERT_TRUE(std::any_of(columns.begin(), columns.end(),
+                            [](const ModelParameter& each) { return each.factor != 1; }));
+    expect_right(followers, Real::float64, kDynamics);
+  }
 }
 
 // At points with axes of the world and of their links, on bases that are fixed and that float.

@@ -91,6 +91,73 @@ TEST(BaseParameters, OfFingersThatMoveAlike) {
   EXPECT_EQ(described(made), (std::vector<std::string>{"left m", "right m"}));
 }
 
+/// Two hinges in a horizontal plane, the second at `multiplier` times the first.
+RandomMechanism geared_arm(double multiplier) {
+  RandomMechanism made = arm({{0, 0, 1}, {0, 0, 1}});
+  made.robot.joints[1].mimic = Mimic{0, multiplier, 0.3};
+  return made;
+}
+
+const SceneRegressor kAllDrives{.rotors = true, .friction = true, .coulomb = true};
+
+// By hand: at the rate qd of the first joint the second turns by -2 qd, and the second link by -qd.
+// What rotor and viscous friction of the second take counts four times at the first. Its Coulomb
+// friction is 2 s(2 qd / w), another function.
+TEST(BaseParameters, OfAJointThatFollowsAnother) {
+  const RandomMechanism made = geared_arm(-2);
+  EXPECT_EQ(
+      described(made, kAllDrives),
+      (std::vector<std::string>{"link1 Izz + link2 m + link2 Izz + joint1 rotor + 4 joint2 rotor",
+                                "link2 mc_x", "link2 mc_y", "joint1 viscous + 4 joint2 viscous",
+                                "joint1 coulomb", "joint2 coulomb"}));
+  const auto columns = list_model_parameters(build_mechanism(made.robot, made.scene), kAllDrives);
+  ASSERT_EQ(columns.size(), 26U);
+  EXPECT_EQ(sign_of(columns[24]), "s(qd / 0.01)");
+  EXPECT_EQ(sign_of(columns[25]), "2 s(2 qd / 0.01)");
+}
+
+// By hand: of the same width where it is felt, friction of both is one function of qd.
+TEST(BaseParameters, AddCoulombFrictionOfTheSameWidth) {
+  EXPECT_EQ(described(geared_arm(-1), kAllDrives).back(), "joint1 coulomb + joint2 coulomb");
+  RandomMechanism made = geared_arm(-2);
+  made.scene.joint_friction["joint2"] = {0.3, 0.1, 0.02};
+  EXPECT_EQ(described(made, kAllDrives).back(), "joint1 coulomb + 2 joint2 coulomb");
+}
+
+// By hand, as the scene states them: 0.5 + 4 * 0.3, 0.2 and 0.1, 4 * 0.7.
+TEST(BaseParameters, OfAFollowerHaveValuesOfTheScene) {
+  RandomMechanism made = geared_arm(-2);
+  made.scene.armature["joint2"] = 0.7;
+  made.scene.joint_friction = {{"joint1", {0.5, 0.2, 0.01}}, {"joint2", {0.3, 0.1, 0.05}}};
+  const Mechanism mechanism = build_mechanism(made.robot, made.scene);
+  const BaseParameters found = find_base_parameters(mechanism, kAllDrives);
+  ASSERT_EQ(found.base.size(), 6U);
+  const std::vector<double> values{2.8, 0, 0, 1.7, 0.2, 0.1};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    EXPECT_NEAR(static_cast<double>(value_in_files(found.base[k], found, mechanism)), values[k],
+                1e-15)
+        << describe(found.base[k], found);
+  }
+}
+
+// A joint that multiplies by 0 never moves: nothing is felt of what sits in it.
+TEST(BaseParameters, OfAFollowerThatNeverMoves) {
+  const RandomMechanism made = geared_arm(0);
+  const auto columns = list_model_parameters(build_mechanism(made.robot, made.scene), kAllDrives);
+  ASSERT_EQ(columns.size(), 23U);
+  EXPECT_EQ(name_of(columns.back()), "joint1 coulomb");
+}
+
+// A joint may have the name of the base that floats.
+TEST(BaseParameters, OfAJointThatIsCalledBase) {
+  RandomMechanism made = arm({{0, 0, 1}});
+  made.robot.joints[0].name = "base";
+  made.scene.base = Base::floating;
+  const auto texts = described(made, kAllDrives);
+  EXPECT_EQ(texts[texts.size() - 2], "base viscous");
+  EXPECT_EQ(texts.back(), "base coulomb");
+}
+
 // Counts of the literature: 36 for the PUMA 560 (Armstrong, Khatib & Burdick 1986 count them;
 // Mayeda, Yoshida & Osuka 1990: 7 n - 4 for hinges, less 2 of the first axis along gravity).
 TEST(BaseParameters, CountsOfTheLiterature) {

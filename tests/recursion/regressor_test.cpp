@@ -1,8 +1,9 @@
 // Regressors and base parameters on random robots of every joint type. Would catch: columns in
 // other frames, of other moments or in another order than the parameters of arguments; the gyration
 // of a moment or the rate of a ball joint's axis that is missing; Coulomb friction of another width
-// than the scene's, a payload about another origin; a dependency between parameters
-// that is not found, or one that does not hold. The oracle is the interpreter on the robot as it is
+// than the scene's, a payload about another origin; a rotor or friction of a joint that follows
+// another without a column, or at the wrong multiple; a dependency between parameters that is not
+// found, or one that does not hold. The oracle is the interpreter on the robot as it is
 // in the files: its inverse dynamics and energies for Y p and E p, and the rank of its columns at
 // random states in 50 digits for the number of base parameters.
 #include "interpreter/regressor.hpp"
@@ -51,6 +52,17 @@ std::vector<Seeded> robots() {
   add({.joints = 5, .branching = 0.5, .mix = slides, .mimic = 0.6, .aligned = 1}, 8);
   add({.joints = 6, .branching = 0.3, .mimic = 0.6, .aligned = 0.8}, 4);
   add({.joints = 4, .branching = 0.5, .mix = hinges, .floating_base = true, .mimic = 0.6}, 2);
+  const RandomOptions followers{.joints = 7,
+                                .branching = 0.4,
+                                .mix = {3, 1, 2, 0.3, 0.3, 0.5, 0.5},
+                                .mimic = 0.7,
+                                .aligned = 0.8,
+                                .rotors = 0.7,
+                                .varied_mimics = true};
+  add(followers, 8);
+  RandomOptions floating = followers;
+  floating.floating_base = true;
+  add(floating, 2);
   return all;
 }
 
@@ -70,18 +82,23 @@ class Regressor : public testing::TestWithParam<Seeded> {
     draw();
   }
 
+  /// Whether it turns or slides, by a coordinate of its own or of another.
+  [[nodiscard]] bool has_column(const Joint& joint) const {
+    const Joint* leader = &joint;
+    while (leader->mimic) leader = &made_.robot.joints[detail::at(leader->mimic->joint)];
+    return info_of(joint.type).has_one_freedom() && !made_.scene.locked.contains(leader->name);
+  }
+
   /// Gives friction to every second joint that has a column.
   void add_friction() {
     bool every_second = false;
     for (const Joint& joint : made_.robot.joints) {
-      if (!info_of(joint.type).has_one_freedom() || joint.mimic ||
-          made_.scene.locked.contains(joint.name)) {
-        continue;
-      }
+      if (!has_column(joint)) continue;
       every_second = !every_second;
       if (!every_second) continue;
       made_.scene.joint_friction[joint.name] = {rng_.rounded(0.1, 2), rng_.rounded(0.1, 2),
                                                 rng_.rounded(0.1, 0.5)};
+      if (joint.mimic && rng_.chance(0.5)) made_.scene.joint_friction[joint.name].width = 0.3;
     }
   }
 

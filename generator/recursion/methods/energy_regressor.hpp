@@ -76,7 +76,7 @@ DenseMatrix<Scalar> energy_regressor(const Tree<Scalar>& tree,
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (columns[k].kind != ModelParameter::Kind::rotor) continue;
     const Scalar rate = rates.velocity(static_cast<std::size_t>(columns[k].v));
-    E(0, k) = Scalar(0.5) * (rate * rate);
+    E(0, k) = rounded<Scalar>(Digits50(columns[k].factor / 2)) * (rate * rate);
   }
   for (const ColumnFrame<Scalar>& frame : column_frames(tree)) {
     const auto link = static_cast<std::size_t>(frame.place.link);

@@ -67,19 +67,21 @@ void add_to_columns(const ColumnFrame<Scalar>& frame, const InertialRow<Scalar>&
   }
 }
 
-/// The joint force of a rotor, or of friction, per unit of its parameter.
+/// The force at its velocity of a rotor, or of friction, per unit of its parameter.
 template <class Scalar>
 Scalar drive_column(const ModelParameter& column, const JointRates<Scalar>& rates) {
   const auto v = static_cast<std::size_t>(column.v);
-  if (column.kind == ModelParameter::Kind::rotor) return rates.acceleration(v);
-  if (column.kind == ModelParameter::Kind::viscous) return rates.velocity(v);
-  return smooth_sign<Scalar>(rounded<Scalar>(column.sharpness) * rates.velocity(v)).value;
+  const auto factor = rounded<Scalar>(column.factor);
+  if (column.kind == ModelParameter::Kind::rotor) return factor * rates.acceleration(v);
+  if (column.kind == ModelParameter::Kind::viscous) return factor * rates.velocity(v);
+  return factor * smooth_sign<Scalar>(rounded<Scalar>(column.sharpness) * rates.velocity(v)).value;
 }
 
 /// Y of M qdd + b + g = Y p, nv x columns: for every frame of a link the inertial forces of unit
 /// parameters there along the unit motions of all velocities that move it (Atkeson, An & Hollerbach
 /// 1986, in the frames of the file). Of a rotor its joint's acceleration, of viscous friction its
-/// velocity, of Coulomb friction the smooth sign of its velocity.
+/// velocity, of Coulomb friction the smooth sign of its velocity; of a joint that follows another
+/// times its multiplier.
 template <class Scalar>
 DenseMatrix<Scalar> inverse_dynamics_regressor(const Tree<Scalar>& tree,
                                                const std::vector<JointTransform<Scalar>>& X,

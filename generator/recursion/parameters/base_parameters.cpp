@@ -72,16 +72,15 @@ class Inward {
     for (std::size_t k = 0; k < found_.parameters.size(); ++k) {
       const ModelParameter& parameter = found_.parameters[k];
       if (parameter.kind == Kind::inertial) sums_[parameter.frame][at(parameter.entry)][k] = 1;
-      if (parameter.kind == Kind::rotor) rotors_[parameter.v] = k;
-      if (parameter.kind == Kind::viscous || parameter.kind == Kind::coulomb)
-        found_.base.push_back({k, {{k, Digits50(1)}}});
+      if (parameter.kind == Kind::rotor) rotors_[link_of(parameter, mechanism)] = k;
+      if (parameter.kind == Kind::viscous || parameter.kind == Kind::coulomb) add_friction(k);
     }
   }
 
   BaseParameters run() {
-    std::set<int> rotor_velocities;
-    for (const auto& [v, parameter] : rotors_) rotor_velocities.insert(v);
-    const auto motions = felt_motions(mechanism_, units_, rotor_velocities);
+    std::set<std::size_t> with_rotors;
+    for (const auto& [link, parameter] : rotors_) with_rotors.insert(link);
+    const auto motions = felt_motions(mechanism_, units_, with_rotors);
     for (std::size_t frame = motions.size(); frame-- > 0;) {
       add_rotor(frame);
       gather(frame, motions[frame]);
@@ -99,12 +98,25 @@ class Inward {
 
   static std::size_t at(int entry) { return static_cast<std::size_t>(entry); }
 
+  /// Friction is a base parameter, or part of one whose column is a multiple of its own.
+  void add_friction(std::size_t k) {
+    const ModelParameter& own = found_.parameters[k];
+    for (BaseParameter& base : found_.base) {
+      const ModelParameter& named = found_.parameters[base.parameter];
+      const bool alike =
+          named.kind == own.kind && named.v == own.v &&
+          abs(Digits50(own.sharpness - named.sharpness)) <= residue() * own.sharpness;
+      if (!alike) continue;
+      base.combination[k] = own.factor / named.factor;
+      return;
+    }
+    found_.base.push_back({k, {{k, Digits50(1)}}});
+  }
+
   /// The rotor of the joint that carries a link.
   void add_rotor(std::size_t frame) {
-    const auto& link = mechanism_.links[at(mechanism_.link_frames[frame].link)];
-    const auto found = rotors_.find(link.v_index);
-    if (link.mimics || found == rotors_.end()) return;
-    sums_[frame][kRotorNumber][found->second] = 1;
+    const auto found = rotors_.find(at(mechanism_.link_frames[frame].link));
+    if (found != rotors_.end()) sums_[frame][kRotorNumber][found->second] = 1;
   }
 
   /// Numbers in the axes of the moving link, of the parameters of its frame.
@@ -141,7 +153,7 @@ class Inward {
 
   [[nodiscard]] std::size_t parameter_at(std::size_t frame, int entry) const {
     if (entry != kRotorNumber) return kInertialParameters * frame + at(entry);
-    return rotors_.at(mechanism_.links[at(mechanism_.link_frames[frame].link)].v_index);
+    return rotors_.at(at(mechanism_.link_frames[frame].link));
   }
 
   /// A parameter that names no base parameter, less what it adds to those, does nothing at its
@@ -189,8 +201,8 @@ class Inward {
   const Mechanism& mechanism_;
   FeltUnits units_ = felt_units(mechanism_);
   BaseParameters found_;
-  std::map<int, std::size_t> rotors_;  ///< by velocity
-  std::vector<Sums> sums_;             ///< by frame, in the units of length
+  std::map<std::size_t, std::size_t> rotors_;  ///< by link of the mechanism
+  std::vector<Sums> sums_;                     ///< by frame, in the units of length
 };
 
 }  // namespace
@@ -210,19 +222,13 @@ std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechan
   return memo.found;
 }
 
-std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism) {
-  const auto link = std::find_if(
-      mechanism.links.begin(), mechanism.links.end(),
-      [&](const MovingLink& each) { return !each.mimics && each.v_index == parameter.v; });
-  return static_cast<std::size_t>(link - mechanism.links.begin());
-}
-
 Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism) {
   if (!parameter.is_of_body()) {
     const JointDrive& drive = mechanism.links[link_of(parameter, mechanism)].drive;
-    return parameter.kind == Kind::rotor     ? drive.inertia
-           : parameter.kind == Kind::viscous ? drive.damping
-                                             : drive.friction;
+    const Digits50& felt = parameter.kind == Kind::rotor     ? drive.inertia
+                           : parameter.kind == Kind::viscous ? drive.damping
+                                                             : drive.friction;
+    return abs(felt) / parameter.factor;
   }
   Inertia matter = mechanism.link_matter[parameter.frame];
   const MechanismPoint& frame = mechanism.link_frames[parameter.frame];

@@ -32,6 +32,9 @@ struct BaseParameters {
 /// do not matter, since what is lost on one adds to others. With gravity as an argument it may have
 /// any direction.
 ///
+/// Friction of joints that share a velocity adds up where it has the same shape: all that is
+/// viscous, and Coulomb friction of the same width.
+///
 /// Where joints mimic others, the links that they share coordinates with may depend on each other
 /// in further ways, such as two fingers that always move alike. These dependencies are decided by
 /// the energies of these links in 50 digits at more states than there are parameters: energies are
@@ -42,9 +45,6 @@ BaseParameters find_base_parameters(const Mechanism& mechanism, const SceneRegre
 /// Base parameters for `Mechanism::regressor`, found once for a mechanism and all its copies:
 /// reductions do not change them.
 std::shared_ptr<const BaseParameters> base_parameters_of(const Mechanism& mechanism);
-
-/// The link whose joint has the rotor or friction that a parameter is.
-std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism);
 
 /// Value of a parameter according to the files. Not for payloads, which no file has.
 Digits50 value_in_files(const ModelParameter& parameter, const Mechanism& mechanism);

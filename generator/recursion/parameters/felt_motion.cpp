@@ -175,7 +175,7 @@ Digits50Rows stacked(const std::vector<Digits50Row>& rows) {
 /// Goes outward, and keeps what each link needs for those behind it.
 class Outward {
  public:
-  Outward(const Mechanism& mechanism, const FeltUnits& units, const std::set<int>& rotors)
+  Outward(const Mechanism& mechanism, const FeltUnits& units, const std::set<std::size_t>& rotors)
       : mechanism_(mechanism),
         units_(units),
         rotors_(rotors),
@@ -189,8 +189,7 @@ class Outward {
   std::vector<FeltMotion> run() {
     std::vector<FeltMotion> motions(mechanism_.link_frames.size());
     for (std::size_t i = 0; i < mechanism_.links.size(); ++i) {
-      const MovingLink& link = mechanism_.links[i];
-      steps_.push_back(step_to(link));
+      steps_.push_back(step_to(i));
       if (frame_of_link_[i] < 0) continue;
       const Step& step = steps_.back();
       motions[static_cast<std::size_t>(frame_of_link_[i])] = {step.parent, step.placement,
@@ -206,7 +205,8 @@ class Outward {
     Digits50Pose placement;  ///< in that link
   };
 
-  [[nodiscard]] Step step_to(const MovingLink& link) const {
+  [[nodiscard]] Step step_to(std::size_t index) const {
+    const MovingLink& link = mechanism_.links[index];
     const Digits50Pose placement = in_units(link.placement, units_);
     const auto parent = static_cast<std::size_t>(link.parent);
     const bool on_base = link.parent < 0;
@@ -220,14 +220,15 @@ class Outward {
     } else if (!on_base) {
       step.parent = frame_of_link_[parent];
     }
-    const bool has_rotor = !link.mimics && link.velocities() == 1 && rotors_.contains(link.v_index);
-    for (int k = 0; k < link.velocities(); ++k) release(Freedom(link, k), has_rotor, step.reach);
+    for (int k = 0; k < link.velocities(); ++k) {
+      release(Freedom(link, k), rotors_.contains(index), step.reach);
+    }
     return step;
   }
 
   const Mechanism& mechanism_;
   FeltUnits units_;
-  const std::set<int>& rotors_;
+  const std::set<std::size_t>& rotors_;
   Reach base_;
   std::vector<int> frame_of_link_;  ///< -1: a step within a joint
   std::vector<Step> steps_;
@@ -253,7 +254,7 @@ FeltUnits felt_units(const Mechanism& mechanism) {
 }
 
 std::vector<FeltMotion> felt_motions(const Mechanism& mechanism, const FeltUnits& units,
-                                     const std::set<int>& rotors) {
+                                     const std::set<std::size_t>& rotors) {
   return Outward(mechanism, units, rotors).run();
 }
 

@@ -43,9 +43,9 @@ FeltUnits felt_units(const Mechanism& mechanism);
 /// the joint's axis with itself and with all velocities of the link before. So the spaces of rows
 /// follow from the tree and its constants, without any sample of motions. Joints that mimic others
 /// count as if they moved by themselves: all that is said here holds for them too, but they may
-/// make less felt. `rotors` are the velocities at which a rotor counts.
+/// make less felt. `rotors` are the links of the mechanism whose joints have a rotor that counts.
 std::vector<FeltMotion> felt_motions(const Mechanism& mechanism, const FeltUnits& units,
-                                     const std::set<int>& rotors);
+                                     const std::set<std::size_t>& rotors);
 
 /// The inertia whose number `k` is one, and all others zero.
 Inertia unit_inertia(int k);

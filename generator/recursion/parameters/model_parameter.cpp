@@ -32,22 +32,31 @@ void append_bodies(const Mechanism& mechanism, const SceneRegressor& asked,
   }
 }
 
-/// Whether a motor turns or slides it by a coordinate of its own, and nothing else does.
+/// Whether it is a step of the joint, and of one coordinate.
+bool is_step_of(const std::string& joint, const MovingLink& link) {
+  return link.has_one_coordinate() && !link.spins && link.joint == joint;
+}
+
+/// Whether a joint of one freedom moves it, with a coordinate of its own or another joint's.
 bool has_own_motor(const Mechanism& mechanism, const MovingLink& link) {
-  if (!link.has_one_coordinate() || link.mimics) return false;
+  if (link.multiplier == 0) return false;
   const auto& links = mechanism.links;
-  return std::count_if(links.begin(), links.end(),
-                       [&](const MovingLink& other) { return other.joint == link.joint; }) == 1;
+  return is_step_of(link.joint, link) &&
+         std::count_if(links.begin(), links.end(),
+                       [&](const MovingLink& other) { return is_step_of(link.joint, other); }) == 1;
 }
 
 void append_of_joints(const Mechanism& mechanism, const SceneRegressor& asked, ParameterKind kind,
                       std::vector<ModelParameter>& parameters) {
   for (const MovingLink& link : mechanism.links) {
     if (!has_own_motor(mechanism, link)) continue;
-    ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0)};
+    const Digits50 multiple = abs(Digits50(link.multiplier));
+    ModelParameter parameter{kind, link.joint, 0, 0, link.v_index, !link.is_angular(0), multiple};
     if (kind == ParameterKind::coulomb) {
-      const Digits50& own = link.drive.sharpness;
-      parameter.sharpness = own > 0 ? own : Digits50(1 / Digits50(asked.width));
+      const Digits50 own = abs(link.drive.sharpness);
+      parameter.sharpness = own > 0 ? own : Digits50(multiple / Digits50(asked.width));
+    } else {
+      parameter.factor *= multiple;
     }
     parameters.push_back(parameter);
   }
@@ -86,6 +95,12 @@ const char* unit_of(const ModelParameter& parameter) {
   return parameter.entry == 0 ? "kg" : parameter.entry < 4 ? "kg m" : "kg m^2";
 }
 
+std::string sign_of(const ModelParameter& parameter) {
+  const auto factor = static_cast<double>(parameter.factor);
+  const std::string times = factor == 1 ? "" : fmt::format("{:.6g} ", factor);
+  return fmt::format("{0}s({0}qd / {1:.6g})", times, parameter.width());
+}
+
 std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
                                                   const SceneRegressor& asked) {
   std::vector<ModelParameter> parameters;
@@ -94,6 +109,13 @@ std::vector<ModelParameter> list_model_parameters(const Mechanism& mechanism,
   if (asked.friction) append_of_joints(mechanism, asked, ParameterKind::viscous, parameters);
   if (asked.coulomb) append_of_joints(mechanism, asked, ParameterKind::coulomb, parameters);
   return parameters;
+}
+
+std::size_t link_of(const ModelParameter& parameter, const Mechanism& mechanism) {
+  const auto link =
+      std::find_if(mechanism.links.begin(), mechanism.links.end(),
+                   [&](const MovingLink& each) { return is_step_of(parameter.owner, each); });
+  return static_cast<std::size_t>(link - mechanism.links.begin());
 }
 
 std::vector<ModelParameter> regressor_columns(const Mechanism& mechanism) {

@@ -256,7 +256,8 @@ void add_base_drives(const Mechanism& mechanism, SplitTree& split, LinkTableData
           static_cast<double>(parameter.sharpness);
     }
     LinkInput& input = inputs[parameter.kind == ModelParameter::Kind::rotor ? 0 : rubs ? 2 : 1];
-    input.numbers.push_back({static_cast<std::int16_t>(link), find_base_entry(*found, k)});
+    input.numbers.push_back({static_cast<std::int16_t>(link), find_base_entry(*found, k),
+                             static_cast<double>(parameter.factor)});
   }
   for (LinkInput& input : inputs) {
     if (!input.numbers.empty()) table.inputs.push_back(std::move(input));

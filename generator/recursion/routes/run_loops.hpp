@@ -112,7 +112,7 @@ class LiftedTable {
   void take_numbers(const LinkInput& input, const std::vector<Number>& given) {
     std::vector<typename Loops::TlInputNumber> numbers;
     for (const LinkTypes::TlInputNumber& from : input.numbers) {
-      numbers.push_back({from.of, from.at});
+      numbers.push_back({from.of, from.at, Number(from.factor)});
     }
     if (input.gives == LinkInput::Gives::dampings) {
       return loops_.tl_give_dampings(numbers.data(), count(numbers), given.data(), drives_.data());

@@ -21,7 +21,7 @@ struct InertialParameters {
   Symmetric3<Scalar> J;  ///< rotational inertia about the frame's origin
 };
 
-/// A rotor's inertia, or a coefficient of friction, in place of that of a joint.
+/// A rotor's inertia, or a coefficient of friction, in place of that of its joint.
 template <class Scalar>
 struct DriveParameter {
   ModelParameter parameter;
@@ -204,15 +204,13 @@ void replace_drives(const Mechanism& mechanism, const ModelInputs<Scalar>& input
                     Tree<Scalar>& tree) {
   using DriveKind = ModelParameter::Kind;
   for (const auto& [parameter, value] : inputs.drives) {
-    for (std::size_t i = 0; i < tree.links.size(); ++i) {
-      if (mechanism.links[i].mimics || tree.links[i].v_index != parameter.v) continue;
-      TreeDrive<Scalar>& drive = tree.links[i].drive;
-      if (parameter.kind == DriveKind::rotor) drive.inertia = value;
-      if (parameter.kind == DriveKind::viscous) drive.damping = value;
-      if (parameter.kind != DriveKind::coulomb) continue;
-      drive.friction = value;
-      drive.sharpness = rounded<Scalar>(parameter.sharpness);
-    }
+    TreeDrive<Scalar>& drive = tree.links[link_of(parameter, mechanism)].drive;
+    const Scalar felt = rounded<Scalar>(parameter.factor) * value;
+    if (parameter.kind == DriveKind::rotor) drive.inertia = felt;
+    if (parameter.kind == DriveKind::viscous) drive.damping = felt;
+    if (parameter.kind != DriveKind::coulomb) continue;
+    drive.friction = felt;
+    drive.sharpness = rounded<Scalar>(parameter.sharpness);
   }
 }
 
