@@ -106,7 +106,10 @@ JointDrive drive_of(const MovingLink& link, const Scene& scene) {
 }  // namespace
 
 void add_drives(const Scene& scene, Mechanism& mechanism) {
-  for (MovingLink& link : mechanism.links) link.drive = drive_of(link, scene);
+  for (MovingLink& link : mechanism.links) {
+    if (link.has_one_coordinate())
+      link.drive = drive_of(link, scene);  // no base called like a joint
+  }
 }
 
 }  // namespace treeline

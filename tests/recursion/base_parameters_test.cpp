@@ -148,11 +148,15 @@ TEST(BaseParameters, OfAFollowerThatNeverMoves) {
   EXPECT_EQ(name_of(columns.back()), "joint1 coulomb");
 }
 
-// A joint may have the name of the base that floats.
+// A joint may have the name of the base that floats, which has no motor.
 TEST(BaseParameters, OfAJointThatIsCalledBase) {
   RandomMechanism made = arm({{0, 0, 1}});
   made.robot.joints[0].name = "base";
   made.scene.base = Base::floating;
+  made.scene.armature["base"] = 0.5;
+  const Mechanism mechanism = build_mechanism(made.robot, made.scene);
+  EXPECT_EQ(mechanism.links[0].drive.inertia, 0);
+  EXPECT_EQ(mechanism.links[1].drive.inertia, 0.5);
   const auto texts = described(made, kAllDrives);
   EXPECT_EQ(texts[texts.size() - 2], "base viscous");
   EXPECT_EQ(texts.back(), "base coulomb");
