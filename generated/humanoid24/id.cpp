@@ -6,4 +6,4 @@
 
 const char humanoid24_id[98] =
     "treeline 0.9.0 humanoid24 sha256 "
-    "3b6c18e181b36bb3c426ebc165c2212c6ae66503cc96042e19335282fee36d65";
+    "be6973708d9f4816db2db8e94929c244fd2454d7149d5ac8860f9fc5cfd0a68e";

@@ -6,4 +6,4 @@
 
 const char puma560_id[95] =
     "treeline 0.9.0 puma560 sha256 "
-    "be4a04acd6f36f6e74ca0a963e274985ecad50ebfadc76ef6488267fcb2eea46";
+    "c892b095acc0ccb2a556eed6a4db062b6949787a97cbabbb0f4f2bc54e5db1d9";

@@ -408,8 +408,9 @@ struct SineGroups {
     take_group<8>(x, sine, cosine);
   }
 
-/// Sines and cosines of several angles. Of many, the last eight take some a second time:
-/// a remainder would make the code long. Of few, two or three that remain are padded.
+/// Sines and cosines of several angles. Of many, the last eight take some a second
+/// time: a remainder would make the code long. Of few, two or three that remain are
+/// padded.
 TREELINE_STEP void sin_cos(int32_t count, const real* x, real* sine, real* cosine) {
   int32_t done = 0;
   if (kAnglesAtOnce == 8) {

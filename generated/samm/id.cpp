@@ -6,4 +6,4 @@
 
 const char samm_id[92] =
     "treeline 0.9.0 samm sha256 "
-    "81e25763184f75bb2073b3806e22314f2e57618343ff66772d59fee23bfeda31";
+    "9076c97f444703bfd573fb1bbad4268debf07b7911f81383474794eb394fd03d";

@@ -6,4 +6,4 @@
 
 const char ur10e_id[93] =
     "treeline 0.9.0 ur10e sha256 "
-    "ea93ac95f70ceb4aa091428e17f48941afde3580d33626a318a96935d3a0a26f";
+    "98a45f3e0381c638aff0dc21f05c63bb9bd32a1ce13511869da63a0dca2f3a0e";
