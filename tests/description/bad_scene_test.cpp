@@ -322,7 +322,8 @@ TEST(BadSceneRobot, HasNoMassToHaveACentre) {
   for (Link& link : robot.links) link.inertial.reset();
   Diagnostics diagnostics;
   EXPECT_FALSE(parse_scene("functions: [center_of_mass]", "s.yaml", robot, diagnostics));
-  expect_diagnosed(diagnostics, "s.yaml", {kError, 1, "functions", "no link has mass", "URDF"});
+  expect_diagnosed(diagnostics, "s.yaml",
+                   {kError, 1, "functions", "no link has mass", "robot's file"});
 }
 
 }  // namespace

@@ -114,8 +114,9 @@ TEST(InspectLoops, TakeLoopsOfOneJointAlone) {
     EXPECT_EQ(report.loops->freedoms, 0) << held;
     EXPECT_TRUE(loop_risks(report).empty()) << held;
   }
-  const Report rolling = inspect_sample("constraints: [{name: c, between: [upper, base], origin: "
-                                        "{xyz: [0, 0, 0.1]}, rolling: {radius: 0.1}}]");
+  const Report rolling = inspect_sample(
+      "constraints: [{name: c, between: [upper, base], origin: "
+      "{xyz: [0, 0, 0.1]}, rolling: {radius: 0.1}}]");
   ASSERT_TRUE(rolling.loops);
   EXPECT_EQ(rolling.loops->freedoms, 0);
 }
