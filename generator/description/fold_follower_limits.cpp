@@ -39,9 +39,12 @@ Limits limits_of_leader(const Limits& follower, const Mimic& mimic) {
   return limits;
 }
 
-void warn(const UrdfElement& element, const std::string& kind, const std::string& fault) {
-  element.reading().pass_over(Severity::warning, kind, element.line(), element.path() + "/limit",
-                              fault, "make the limits, the multiplier or the offset agree");
+/// Of the limits of a follower.
+void warn(const NamedJoint& named, const std::string& kind, const std::string& fault) {
+  const UrdfElement& element = named.element;
+  element.reading().pass_over(Severity::warning, kind, named.joint.limits->line,
+                              element.path() + "/limit", fault,
+                              "make the limits, the multiplier or the offset agree");
 }
 
 /// Narrows the leader's range. Tells whether a limit of it that a file states is narrower now.
@@ -54,7 +57,7 @@ bool narrow_range(const NamedJoint& named, const Joint& leader, const Limits& pe
     own = range;
     return narrows_lower || narrows_upper;
   }
-  warn(named.element, "mimic/no common position",
+  warn(named, "mimic/no common position",
        fmt::format(
            "\"{}\" has no room from {} to {} that keeps \"{}\", which follows it, within its "
            "limits: these are left out",
@@ -65,6 +68,7 @@ bool narrow_range(const NamedJoint& named, const Joint& leader, const Limits& pe
 void fold(const NamedJoint& named, const Joint& follower, Joint& leader) {
   const Limits permitted = limits_of_leader(*follower.limits, *follower.mimic);
   Limits own = leader.limits.value_or(Limits{});
+  if (!leader.limits) own.line = leader.line;
   const bool slows = narrow(own.velocity, permitted.velocity, 1);
   const bool narrows = narrow_range(named, leader, permitted, own);
   leader.limits = own;
@@ -72,7 +76,7 @@ void fold(const NamedJoint& named, const Joint& follower, Joint& leader) {
   const std::string range =
       narrows ? fmt::format("from {} to {}", own.lower.value(), own.upper.value()) : "";
   const std::string speed = slows ? fmt::format("up to {} a second", own.velocity.value()) : "";
-  warn(named.element, "mimic/limits",
+  warn(named, "mimic/limits",
        fmt::format(
            "limits of \"{}\", which follows \"{}\", permit the latter less than its own do: {}{}{}",
            follower.name, leader.name, range, narrows && slows ? ", " : "", speed));

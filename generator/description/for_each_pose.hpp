@@ -10,22 +10,22 @@
 
 namespace treeline {
 
-/// Calls `visit(pose, owner, line, element)` for the pose of each mass of a robot; the owner is the
+/// Calls `visit(pose, owner, element)` for the pose of each mass of a robot; the owner is the
 /// link's name.
 template <class AnyRobot, class Visit>
 void for_each_inertial_pose(AnyRobot& robot, Visit visit) {
   for (auto& link : robot.links) {
     if (!link.inertial) continue;
-    visit(link.inertial->origin, link.name, link.line,
+    visit(link.inertial->origin, link.name,
           fmt::format("robot/link[{}]/inertial/origin", link.name));
   }
 }
 
-/// Calls `visit(pose, owner, line, element)` for the pose of each joint; the owner is its name.
+/// Calls `visit(pose, owner, element)` for the pose of each joint; the owner is its name.
 template <class AnyRobot, class Visit>
 void for_each_joint_pose(AnyRobot& robot, Visit visit) {
   for (auto& joint : robot.joints) {
-    visit(joint.origin, joint.name, joint.line, fmt::format("robot/joint[{}]/origin", joint.name));
+    visit(joint.origin, joint.name, fmt::format("robot/joint[{}]/origin", joint.name));
   }
 }
 
@@ -35,7 +35,7 @@ void for_each_pose(AnyRobot& robot, Visit visit) {
   for_each_joint_pose(robot, visit);
 }
 
-/// Calls `visit(pose, line, element)` for every pose that a scene gives: of points, constraints,
+/// Calls `visit(pose, element)` for every pose that a scene gives: of points, constraints,
 /// objects and grasps.
 template <class Visit>
 void for_each_point_pose(Scene& scene, Visit visit) {
@@ -44,18 +44,17 @@ void for_each_point_pose(Scene& scene, Visit visit) {
                               {"contacts", &scene.contacts},
                               {"constraints", &scene.constraints}}) {
     for (ScenePoint& point : *points) {
-      visit(point.origin, 0, fmt::format("{}[{}]/origin", key, point.name));
+      visit(point.origin, fmt::format("{}[{}]/origin", key, point.name));
     }
   }
   for (SceneLoop& loop : scene.loops) {
-    visit(loop.first.origin, 0, fmt::format("constraints[{}]/origin", loop.first.name));
-    visit(loop.second.origin, 0, fmt::format("constraints[{}]/other_origin", loop.first.name));
+    visit(loop.first.origin, fmt::format("constraints[{}]/origin", loop.first.name));
+    visit(loop.second.origin, fmt::format("constraints[{}]/other_origin", loop.first.name));
   }
   for (SceneObject& object : scene.objects) {
-    visit(object.inertial.origin, 0, fmt::format("objects[{}]/inertial/origin", object.name));
+    visit(object.inertial.origin, fmt::format("objects[{}]/inertial/origin", object.name));
     for (SceneGrasp& grasp : object.grasps) {
-      visit(grasp.origin, 0,
-            fmt::format("objects[{}]/grasps[{}]/origin", object.name, grasp.point));
+      visit(grasp.origin, fmt::format("objects[{}]/grasps[{}]/origin", object.name, grasp.point));
     }
   }
 }

@@ -18,6 +18,7 @@ void add_part(const PlacedRobot& placed, Robot& joined) {
   base.parent = joined.root;
   base.child = first_link + placed.robot.root;
   base.origin = placed.pose;
+  base.origin.line = 0;  // no file of a robot has it
   joined.joints.push_back(std::move(base));
   const auto first_joint = static_cast<int>(joined.joints.size());
   for (Link link : placed.robot.links) {

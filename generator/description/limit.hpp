@@ -55,6 +55,7 @@ struct Limits {
   Limit upper = std::numeric_limits<double>::infinity();
   Limit effort = std::numeric_limits<double>::infinity();
   Limit velocity = std::numeric_limits<double>::infinity();
+  int line = 0;  ///< of the element in the file
 };
 
 }  // namespace treeline

@@ -134,7 +134,7 @@ void make_exact(Joint& joint, double limit, const Place& at, NoiseDecisions* dec
 
 double longest_offset(const Robot& robot) {
   double longest = 0;
-  for_each_pose(robot, [&](const Pose& pose, const std::string&, int, const std::string&) {
+  for_each_pose(robot, [&](const Pose& pose, const std::string&, const std::string&) {
     for (const double offset : pose.xyz) longest = std::max(longest, std::abs(offset));
   });
   return longest;
@@ -149,16 +149,16 @@ NoiseLimits noise_limits(const Robot& robot, const Scene& scene) {
 Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* decisions) {
   PoseCleaner cleaner(limits, decisions);
   for_each_inertial_pose(
-      robot, [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
-        cleaner.make_center_exact(pose, {file_of(robot, owner), line, element});
+      robot, [&](Pose& pose, const std::string& owner, const std::string& element) {
+        cleaner.make_center_exact(pose, {file_of(robot, owner), pose.line, element});
       });
-  for_each_joint_pose(
-      robot, [&](Pose& pose, const std::string& owner, int line, const std::string& element) {
-        cleaner.make_exact(pose, {file_of(robot, owner), line, element});
-      });
+  for_each_joint_pose(robot, [&](Pose& pose, const std::string& owner, const std::string& element) {
+    cleaner.make_exact(pose, {file_of(robot, owner), pose.line, element});
+  });
   for (Joint& joint : robot.joints) {
     const std::string element = fmt::format("robot/joint[{}]/axis", joint.name);
-    make_exact(joint, limits.angle, {file_of(robot, joint.name), joint.line, element}, decisions);
+    make_exact(joint, limits.angle, {file_of(robot, joint.name), joint.axis_line, element},
+               decisions);
   }
   return robot;
 }
@@ -166,8 +166,8 @@ Robot without_noise(Robot robot, const NoiseLimits& limits, NoiseDecisions* deci
 Scene without_noise(Scene scene, const NoiseLimits& limits, NoiseDecisions* decisions) {
   const std::string file = scene.file;
   PoseCleaner cleaner(limits, decisions);
-  for_each_point_pose(scene, [&](Pose& pose, int line, const std::string& element) {
-    cleaner.make_exact(pose, {file, line, element});
+  for_each_point_pose(scene, [&](Pose& pose, const std::string& element) {
+    cleaner.make_exact(pose, {file, pose.line, element});
   });
   return scene;
 }

@@ -59,7 +59,8 @@ void add_base(const PlacedRobot& placed, XMLElement& all) {
   joint->InsertNewChildElement("child")->SetAttribute("link",
                                                       (placed.name + "/" + root.name).c_str());
   XMLElement* const origin = joint->InsertNewChildElement("origin");
-  const auto& [xyz, rpy] = placed.pose;
+  const auto& xyz = placed.pose.xyz;
+  const auto& rpy = placed.pose.rpy;
   origin->SetAttribute("xyz", fmt::format("{} {} {}", xyz[0], xyz[1], xyz[2]).c_str());
   origin->SetAttribute("rpy", fmt::format("{} {} {}", rpy[0], rpy[1], rpy[2]).c_str());
 }

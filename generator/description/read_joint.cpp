@@ -148,6 +148,9 @@ NamedJoint read_joint(const UrdfElement& element) {
   joint.origin = element.origin();
   const JointTypeInfo& type = info_of(joint.type);
   if (type.has_axis) joint.axis = read_axis(element);
+  if (const auto* axis = element.xml().FirstChildElement("axis")) {
+    joint.axis_line = axis->GetLineNum();
+  }
   if (!type.is_standard) ignore_axis_and_limits(element, type);
   if (type.is_standard && type.moves()) joint.limits = read_joint_limits(element, joint.type);
   read_dynamics(element, joint);

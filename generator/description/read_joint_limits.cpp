@@ -102,6 +102,7 @@ std::optional<Limits> read_joint_limits(const UrdfElement& joint, JointType type
   element->holds_only_attributes(
       {"lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"});
   Limits limits;
+  limits.line = element->line();
   read_range(*element, type, limits);
   const bool moves = info_of(type).has_axis;
   if (moves || element->has("effort")) limits.effort = read_bound(*element, "effort", kStrongest);

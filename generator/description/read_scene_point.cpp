@@ -184,6 +184,7 @@ const Joint* find_joint(const SceneElement& element, const std::string& name, co
 
 Pose read_origin(const SceneElement& element) {
   Pose pose;
+  pose.line = element.line();
   if (element.is_list()) {
     element.error("a map is expected here, not a list",
                   "write {xyz: [x, y, z], rpy: [roll, pitch, yaw]}; either may be left out");

@@ -21,18 +21,22 @@ std::string remedy_for_unknown(const std::string& name, const Robot& robot) {
   return suggestion.empty() ? "name a joint of this robot" : suggestion;
 }
 
+UrdfElement mimic_of(const NamedJoint& named) {
+  return named.element.as_child(*named.element.xml().FirstChildElement("mimic"));
+}
+
 /// Sets Mimic::joint to the joint named in the file.
 bool find_followed(const NamedJoint& named, const std::map<std::string, int>& indices, Robot& robot,
                    Mimic& mimic) {
   const auto found = indices.find(*named.mimicked);
   if (found == indices.end()) {
-    named.element.error(fmt::format("the mimicked joint \"{}\" is not defined", *named.mimicked),
-                        remedy_for_unknown(*named.mimicked, robot));
+    mimic_of(named).error(fmt::format("the mimicked joint \"{}\" is not defined", *named.mimicked),
+                          remedy_for_unknown(*named.mimicked, robot));
     return false;
   }
   const Joint& followed = robot.joints[static_cast<std::size_t>(found->second)];
   if (!info_of(followed.type).has_one_freedom()) {
-    named.element.error(
+    mimic_of(named).error(
         fmt::format("the mimicked joint \"{}\" has not one degree of freedom", followed.name),
         "mimic a revolute, continuous or prismatic joint");
     return false;
@@ -55,7 +59,7 @@ std::optional<Mimic> resolve(std::size_t start, const NamedJoint& named, const R
   const std::vector<std::size_t> chain = follow_chain(start, robot);
   if (chain.empty()) {
     const bool itself = robot.joints[start].mimic->joint == static_cast<int>(start);
-    named.element.error(
+    mimic_of(named).error(
         itself ? "the joint mimics itself" : "the mimics follow each other in a circle",
         "let one of them be independent");
     return std::nullopt;
@@ -68,7 +72,7 @@ std::optional<Mimic> resolve(std::size_t start, const NamedJoint& named, const R
     total.multiplier *= step.multiplier;
   }
   if (!std::isfinite(total.offset) || !std::isfinite(total.multiplier)) {
-    named.element.error("the multipliers along the chain of mimics overflow", "use smaller ones");
+    mimic_of(named).error("the multipliers along the chain of mimics overflow", "use smaller ones");
     return std::nullopt;
   }
   return total;

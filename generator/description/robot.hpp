@@ -16,6 +16,7 @@ namespace treeline {
 struct Pose {
   std::array<double, 3> xyz{};
   std::array<double, 3> rpy{};
+  int line = 0;  ///< of the element in the file
 };
 
 /// Mass in kg; `origin` is the frame at the centre of mass, in the link's frame; the inertia in
@@ -53,6 +54,7 @@ struct Joint {
   Pose origin;      ///< joint frame (= child link frame at q = 0) in parent
   /// Unit vector in the joint frame; planar: the normal. Without meaning for types without an axis.
   std::array<double, 3> axis{1, 0, 0};
+  int axis_line = 0;
   /// Limits, with those of joints that follow it, see `fold_follower_limits`. Absent: none in file.
   std::optional<Limits> limits;
   std::optional<Mimic> mimic;

@@ -115,7 +115,7 @@ std::string name_quarter_turns(double angle) {
 }
 
 Robot with_snapped_angles(Robot robot, double tolerance) {
-  for_each_pose(robot, [&](Pose& pose, const std::string&, int, const std::string&) {
+  for_each_pose(robot, [&](Pose& pose, const std::string&, const std::string&) {
     for (double& angle : pose.rpy) angle = rounded_quarter_turns(angle, tolerance).value_or(angle);
   });
   return robot;
@@ -133,13 +133,12 @@ void snap_angles(const Robot& robot, Scene& scene, Diagnostics& diagnostics) {
       add_snap({file, line, element, angle, *multiple}, snaps);
     return multiple.value_or(angle);
   };
-  for_each_pose(
-      robot, [&](const Pose& pose, const std::string& owner, int line, const std::string& element) {
-        for (const double angle : pose.rpy) note(file_of(robot, owner), line, element, angle);
-      });
-  for_each_point_pose(scene, [&](Pose& pose, int line, const std::string& element) {
+  for_each_pose(robot, [&](const Pose& pose, const std::string& owner, const std::string& element) {
+    for (const double angle : pose.rpy) note(file_of(robot, owner), pose.line, element, angle);
+  });
+  for_each_point_pose(scene, [&](Pose& pose, const std::string& element) {
     for (double& angle : pose.rpy) {
-      const double taken = note(scene.file, line, element, angle);
+      const double taken = note(scene.file, pose.line, element, angle);
       if (asked_for) angle = taken;
     }
   });

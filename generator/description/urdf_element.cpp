@@ -174,7 +174,7 @@ Pose UrdfElement::origin() const {
   if (!origin) return {};
   origin->holds_only_attributes({"xyz", "rpy"});
   const Pose pose{origin->three_numbers("xyz").value_or(std::array<double, 3>{}),
-                  origin->three_numbers("rpy").value_or(std::array<double, 3>{})};
+                  origin->three_numbers("rpy").value_or(std::array<double, 3>{}), origin->line()};
   if (std::any_of(pose.rpy.begin(), pose.rpy.end(), is_beyond_a_turn)) {
     reading_->pass_over(
         Severity::warning, "more than a turn", origin->line(), origin->path(),

@@ -14,7 +14,8 @@ namespace {
 using tinyxml2::XMLElement;
 
 void set_origin(XMLElement& element, const Pose& pose) {
-  const auto& [xyz, rpy] = pose;
+  const auto& xyz = pose.xyz;
+  const auto& rpy = pose.rpy;
   XMLElement* const origin = element.InsertNewChildElement("origin");
   origin->SetAttribute("xyz", fmt::format("{} {} {}", xyz[0], xyz[1], xyz[2]).c_str());
   origin->SetAttribute("rpy", fmt::format("{} {} {}", rpy[0], rpy[1], rpy[2]).c_str());

@@ -18,7 +18,8 @@ namespace treeline {
 namespace {
 
 std::string range_text(const Limits& limits, const char* unit) {
-  const auto& [lower, upper, effort, velocity] = limits;
+  const Limit& lower = limits.lower;
+  const Limit& upper = limits.upper;
   const bool misses =
       lower.state() == LimitState::implausible || upper.state() == LimitState::implausible;
   const std::string file =
@@ -96,7 +97,8 @@ std::vector<EmissionContext::CoordinateRow> coordinate_rows(const Mechanism& mec
 }
 
 std::string origin_text(const Pose& origin) {
-  const auto& [xyz, rpy] = origin;
+  const auto& xyz = origin.xyz;
+  const auto& rpy = origin.rpy;
   std::string text = fmt::format("origin ({}, {}, {}) m", xyz[0], xyz[1], xyz[2]);
   if (rpy != std::array<double, 3>{}) {
     text += fmt::format(", rpy ({}, {}, {}) rad", rpy[0], rpy[1], rpy[2]);

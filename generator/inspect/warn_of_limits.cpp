@@ -165,7 +165,7 @@ class LimitSummary {
 
   void warn(const std::vector<const Joint*>& joints, std::string fault, const char* remedy) const {
     const Joint& first = *joints.front();
-    diagnostics_.add({Severity::warning, file_of(robot_, first.name), first.line,
+    diagnostics_.add({Severity::warning, file_of(robot_, first.name), first.limits->line,
                       fmt::format("joint[{}]/limit", first.name), std::move(fault), remedy});
   }
 

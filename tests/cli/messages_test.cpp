@@ -211,11 +211,11 @@ TEST_F(MessagesTest, InspectNamesLimitsThatPermitNoMotion) {
   };
   with_limits(R"(lower="0" upper="0" effort="1" velocity="1")");
   expect_parts(messages("inspect limited.urdf", 0),
-               {"limited.urdf:3: warning: joint[elbow_joint]/limit",
+               {"limited.urdf:4: warning: joint[elbow_joint]/limit",
                 "lower and upper are both 0: a placeholder"});
   with_limits(R"(lower="-1" upper="1" effort="1" velocity="0")");
   expect_parts(messages("inspect limited.urdf", 0),
-               {"limited.urdf:3: warning: joint[elbow_joint]/limit", "velocity=0: a placeholder"});
+               {"limited.urdf:4: warning: joint[elbow_joint]/limit", "velocity=0: a placeholder"});
   write("locked.yaml", "base: floating\nlocked: {elbow_joint: 0}\n");
   EXPECT_EQ(messages("inspect limited.urdf locked.yaml", 0).find("velocity=0"), std::string::npos);
 }

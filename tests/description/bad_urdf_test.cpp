@@ -228,13 +228,13 @@ const Case kMimics[] = {
      {kError, 5, "robot/joint[j]/mimic", "\"joint\" is missing", "<mimic joint="}},
     {"Itself",
      with_joint("continuous", "<mimic joint='j'/>"),
-     {kError, 4, "robot/joint[j]", "mimics itself", "independent"}},
+     {kError, 5, "robot/joint[j]/mimic", "mimics itself", "independent"}},
     {"Link",
      with_joint("continuous", "<mimic joint='a'/>"),
-     {kError, 4, "robot/joint[j]", "\"a\" is not defined", "this is a link"}},
+     {kError, 5, "robot/joint[j]/mimic", "\"a\" is not defined", "this is a link"}},
     {"Unknown",
      with_joint("continuous", "<mimic joint='jj'/>"),
-     {kError, 4, "robot/joint[j]", "\"jj\" is not defined", "did you mean \"j\"?"}},
+     {kError, 5, "robot/joint[j]/mimic", "\"jj\" is not defined", "did you mean \"j\"?"}},
     {"OnFixed",
      with_joint("fixed", "<mimic joint='nowhere'/>"),
      {kWarning, 5, "robot/joint[j]/mimic", "a fixed joint cannot mimic", "remove"}},
@@ -248,12 +248,12 @@ const Case kMimics[] = {
      with_robot("<link name='c'/><joint name='j' type='continuous'><parent link='a'/><child "
                 "link='b'/><mimic joint='k'/></joint>\n<joint name='k' type='continuous'><parent "
                 "link='b'/><child link='c'/><mimic joint='j'/></joint>"),
-     {kError, 4, "robot/joint[k]", "circle", "independent"}},
+     {kError, 4, "robot/joint[k]/mimic", "circle", "independent"}},
     {"OfFixed",
      with_robot("<link name='c'/><joint name='j' type='fixed'><parent link='a'/><child "
                 "link='b'/></joint>\n<joint name='k' type='continuous'><parent link='b'/><child "
                 "link='c'/><mimic joint='j'/></joint>"),
-     {kError, 4, "robot/joint[k]", "has not one degree of freedom", "revolute"}},
+     {kError, 4, "robot/joint[k]/mimic", "has not one degree of freedom", "revolute"}},
     {"MultiplierNoNumber",
      with_joint("continuous", "<mimic joint='j' multiplier='x'/>"),
      {kError, 5, "robot/joint[j]/mimic", "multiplier=\"x\"", "decimal"}},

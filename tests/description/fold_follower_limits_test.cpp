@@ -42,6 +42,28 @@ TEST(FollowerLimits, AreThoseOfTheirLeader) {
        "permit the latter less than its own do: from -0.2 to 0.3, up to 0.5 a second", "agree"});
 }
 
+// Would catch messages that name the line of the joint in place of that of `<limit>` or `<mimic>`.
+TEST(FollowerLimits, AreNamedByTheirLine) {
+  const std::string sound = "lower='-3' upper='3' effort='10' velocity='5'";
+  const auto lines_between = [](std::string text) {
+    for (const char* element : {"<limit", "<mimic"}) {
+      text.insert(text.rfind(element), "\n\n");
+    }
+    return text;
+  };
+  Diagnostics narrow, unknown;
+  read(lines_between(led_arm(sound, "lower='-0.5' upper='0.5' effort='1' velocity='5'", "1", "0")),
+       narrow);
+  expect_diagnosed(narrow, "arm.urdf",
+                   {Severity::warning, 7, "robot/joint[follow]/limit", "permit", "agree"});
+  std::string stray = lines_between(led_arm(sound, sound, "1", "0"));
+  stray.replace(stray.find("joint='lead'"), 12, "joint='none'");
+  EXPECT_FALSE(parse_urdf(stray, "arm.urdf", unknown));
+  expect_diagnosed(
+      unknown, "arm.urdf",
+      {Severity::error, 9, "robot/joint[follow]/mimic", "\"none\" is not defined", ""});
+}
+
 TEST(FollowerLimits, ThatAgreeOrAreWiderChangeNothing) {
   for (const char* of_follower :
        {"lower='-1' upper='1' effort='1' velocity='1'",

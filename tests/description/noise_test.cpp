@@ -47,9 +47,10 @@ TEST(Noise, IsWhatDoubleCannotResolve) {
   EXPECT_EQ(decisions[0].text, "roll -6.52e-42 rad is 0");
   EXPECT_EQ(decisions[0].change, 6.52e-42);
   EXPECT_EQ(decisions[2].text, "roll 1.1476e-27 rad is 0");
-  EXPECT_EQ(decisions[2].line, 3);
+  EXPECT_EQ(decisions[2].line, 4);
   EXPECT_EQ(decisions[3].text, "pitch 1.5707963267948968 rad is pi/2");
   EXPECT_EQ(decisions[5].text, "axis y -2e-17 is 0");
+  EXPECT_EQ(decisions[5].line, 5);
 }
 
 // Would catch: a moment of a light tip that is off by more than its own rounding, because its

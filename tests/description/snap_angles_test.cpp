@@ -83,10 +83,11 @@ TEST(SnapAngles, SaysEachValueOnceWithItsPlace) {
   EXPECT_EQ(notes[0].file, "arm.urdf");
   EXPECT_EQ(notes[0].line, 5);
   EXPECT_EQ(notes[0].element, "robot/link[upper]/inertial/origin");
-  EXPECT_EQ(notes[1].line, 3);
+  EXPECT_EQ(notes[1].line, 4);
   EXPECT_EQ(notes[1].fault, "the angle 1.5708 is taken as pi/2, 3.7e-06 rad off (and 1 more)");
   EXPECT_NE(notes[1].remedy.find("leave it out"), std::string::npos);
   EXPECT_EQ(notes[3].file, "scene.yaml");
+  EXPECT_EQ(notes[3].line, 2);
   EXPECT_EQ(parsed.scene->operational_points[0].origin.rpy[2], kPi);
 }
 

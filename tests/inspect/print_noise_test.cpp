@@ -31,7 +31,7 @@ bool has(const std::string& text, const std::string& part) {
 TEST(PrintNoise, ListsEveryNumberWithItsPlace) {
   const std::string text = printed(0x1p-51);
   EXPECT_TRUE(
-      has(text, "line 3     1.1e-27    robot/joint[first]/origin: roll 1.1476e-27 rad is 0"))
+      has(text, "line 4     1.1e-27    robot/joint[first]/origin: roll 1.1476e-27 rad is 0"))
       << text;
   EXPECT_TRUE(has(text, "robot/joint[first]/origin: y -3.1e-17 m is 0")) << text;
   EXPECT_TRUE(has(text, "robot/link[upper]/inertial: a first moment or product")) << text;

@@ -88,6 +88,24 @@ TEST(WarnOfLimits, NamesEachKindOnceAndWhoReadsIt) {
   }
 }
 
+// Would catch the line of the joint in place of that of its limits.
+TEST(WarnOfLimits, NameTheLineOfTheLimits) {
+  for (const char* limits : {"lower='1' upper='-1' effort='3' velocity='2'",
+                             "lower='-1' upper='1' effort='3' velocity='-2'",
+                             "lower='-1' upper='1' effort='3' velocity='1000'"}) {
+    Diagnostics diagnostics;
+    const auto robot = parse_urdf(
+        "<robot name='arm'><link name='base'/>\n" + limited_link("first") +
+            "<joint\nname='a' type='revolute'>\n<parent link='base'/><child link='first'/>\n"
+            "<axis xyz='0 1 0'/>\n<limit\n" +
+            limits + "/></joint></robot>",
+        "arm.urdf", diagnostics);
+    ASSERT_TRUE(robot) << to_string(diagnostics);
+    const std::string text = told(*robot);
+    EXPECT_EQ(count(text, "arm.urdf:7: warning: joint[a]/limit"), 1) << text;
+  }
+}
+
 TEST(WarnOfLimits, OfDriveNameDriveAlone) {
   for (const Kind& kind : kKinds) {
     const std::string text = told(make_arm(kind.limits, kSound), "", LimitUse::drive);
