@@ -23,15 +23,18 @@ bool has_center_of_mass(const Points<Scalar>& points) {
 template <class Scalar>
 struct PointPart {
   OperationalPoint<Scalar> point;
-  Vector6<Scalar> weights = Vector6<Scalar>::Ones();  ///< by row
+  Vector6<Scalar> weights;  ///< by row
 };
 
 /// The point itself; of the centre of mass those of all bodies, by their shares of the mass.
 template <class Scalar>
 std::vector<PointPart<Scalar>> parts_of(const Model<Scalar>& model,
                                         const OperationalPoint<Scalar>& point) {
-  if (!point.center_of_mass) return {{point}};
   std::vector<PointPart<Scalar>> parts;
+  if (!point.center_of_mass) {
+    parts.push_back({point, Vector6<Scalar>::Ones()});
+    return parts;
+  }
   for (int i = 0; i < model.size(); ++i) {
     const Body<Scalar>& body = model.body(i);
     const Vector3<Scalar> share = Vector3<Scalar>::Constant(body.mass / total_mass(model));
