@@ -22,7 +22,7 @@ std::string number(double x) {
   return fmt::format("{:.{}f}", x, x >= 10 ? 1 : 2);
 }
 
-/// The same of a bound, which is rounded up.
+/// Prints a bound as `number` does, rounded up.
 std::string up(double x) {
   const bool is_long = x < 0.01 || !(x < 1e5);
   const int digits = is_long ? 2 : x < 100 ? 3 : static_cast<int>(std::log10(x)) + 1;

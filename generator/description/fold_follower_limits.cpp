@@ -39,7 +39,7 @@ Limits limits_of_leader(const Limits& follower, const Mimic& mimic) {
   return limits;
 }
 
-/// Of the limits of a follower.
+/// Warns of the limits of a follower.
 void warn(const NamedJoint& named, const std::string& kind, const std::string& fault) {
   const UrdfElement& element = named.element;
   element.reading().pass_over(Severity::warning, kind, named.joint.limits->line,

@@ -101,7 +101,8 @@ void loop_over_links(const Robot& robot, const Scene& scene, ControllerUnit& uni
   const bool task = unit.task_torque.has_value();
   const auto flops = [](const Program& program) { return count_operations(program).flops(); };
   const Program poses = task ? trace_poses(robot, scene) : Program();
-  const Program gravity = task ? trace_gravity(robot, scene) : unit.kinematics;  // which is this
+  // Without a task the kinematics are gravity alone.
+  const Program gravity = task ? trace_gravity(robot, scene) : unit.kinematics;
   const auto of_gravity =
       unit.gravity ? flops(*unit.gravity) : flops(unit.kinematics) - (task ? flops(poses) : 0);
   std::vector<LoopCandidate> candidates = {

@@ -7,6 +7,7 @@
 
 #include "description/follow_target.hpp"
 #include "description/robot_queries.hpp"
+#include "description/scene_inputs.hpp"
 #include "description/scene_queries.hpp"
 #include "launch/print_robot.hpp"
 #include "mechanism/build_mechanism.hpp"
@@ -27,8 +28,7 @@ void note_left_out(const Scene& scene, Diagnostics& diagnostics) {
   add(!scene.contacts.empty(), "contacts");
   add(!scene.external_forces.empty(), "external_forces");
   add(!scene.inputs.empty(), "inputs");
-  const auto& points = scene.operational_points;
-  add(std::any_of(points.begin(), points.end(), is_center_of_mass), kCenterOfMass);
+  add(has_center_of_mass(scene), kCenterOfMass);
   add(scene.batch > 0, "batch");
   add(scene.has_limits(), "limits of torque and friction");
   add(!scene.passive.empty() && !is_closed(scene), "passive (every joint of a tree is moved)");

@@ -54,7 +54,7 @@ bool is_option(const std::string& element) {
   return element.rfind("--", 0) == 0;
 }
 
-/// Those of the functions that invert M.
+/// The functions that invert M, of those given.
 std::vector<Function> inverting(std::vector<Function> functions) {
   std::erase_if(functions, [](Function function) { return !inverts_mass_matrix(function); });
   return functions;

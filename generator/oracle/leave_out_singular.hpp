@@ -20,7 +20,7 @@ void leave_out_singular(const Robot& robot, Scene& scene, const std::string& lis
 /// singular in every pose.
 bool has_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
 
-/// The same, with the warning where M is singular with all coordinates at 0.
+/// Reports what `has_accelerations` does, and warns where M is singular with all coordinates at 0.
 void require_accelerations(const Robot& robot, const Scene& scene, Diagnostics& diagnostics);
 
 /// Motions without inertia in any pose, that is, a part of the null space of M. Each of these

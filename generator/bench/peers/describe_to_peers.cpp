@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "description/rotation.hpp"
+#include "description/scene_inputs.hpp"
 #include "oracle/model_from_robot.hpp"
 
 namespace treeline {
@@ -30,8 +31,7 @@ std::optional<PeerDescription> describe_to_peers(const Robot& robot, const Scene
     why_not = "the scene adds rotors, friction or springs to joints";
     return std::nullopt;
   }
-  const auto& points = scene.operational_points;
-  if (std::any_of(points.begin(), points.end(), is_center_of_mass)) {
+  if (has_center_of_mass(scene)) {
     why_not = "an operational point is the centre of mass";
     return std::nullopt;
   }
