@@ -60,11 +60,15 @@ JointForces joint_forces_of(const simulation::Model& model, bool holds_weight, b
   };
 }
 
-/// Forces by which friction of the joints resists a motion.
-Vector friction_of(const simulation::Model& model, const simulation::State& state) {
-  const Vector rest = Vector::Zero(model.nv);
-  return interpreter::joint_forces<double>(model, state.q, state.qd) -
-         interpreter::joint_forces<double>(model, state.q, rest);
+/// The power that friction of the joints takes, W.
+double friction_power(const simulation::Model& model, const simulation::State& state) {
+  double power = 0;
+  for (const auto& body : model.bodies) {
+    if (interpreter::velocity_count(body.kind) != 1) continue;
+    const double rate = interpreter::joint_velocity<double>(body, state.qd)(0);
+    power += rate * interpreter::friction_force<double>(body, rate);
+  }
+  return power;
 }
 
 bool has_friction(const simulation::Model& model) {
@@ -76,8 +80,12 @@ bool has_friction(const simulation::Model& model) {
 /// so that its error is of the same order as theirs.
 class CountedFlight {
  public:
-  CountedFlight(const simulation::Model& model, JointForces forces)
-      : model_(model), forces_(std::move(forces)), coordinates_(simulation::coordinates_of(model)) {
+  /// With contacts the energy of flights is counted apart from theirs.
+  CountedFlight(const simulation::Model& model, JointForces forces, bool has_contacts)
+      : model_(model),
+        forces_(std::move(forces)),
+        has_contacts_(has_contacts),
+        coordinates_(simulation::coordinates_of(model)) {
     ++coordinates_.nq;
     ++coordinates_.nv;
   }
@@ -89,24 +97,28 @@ class CountedFlight {
       const simulation::State state = without_work(counted);
       const Vector tau = forces_(state);
       return with_number(interpreter::forward_dynamics<double>(model_, state.q, state.qd, tau),
-                         state.qd.dot(tau - friction_of(model_, state)));
+                         state.qd.dot(tau) - friction_power(model_, state));
     };
   }
 
   /// Flies by `integrate(state)`, whose answer it returns.
   template <class Integrate>
   bool fly(simulation::State& state, const Integrate& integrate) const {
-    const double before = simulation::mechanical_energy(model_, state);
+    const double before = energy_of(state);
     simulation::State counted{with_number(state.q, 0), with_number(state.qd, 0)};
     const bool arrived = integrate(counted);
     const simulation::FlightAccount flown = state.flown;
     state = without_work(counted);
     state.flown.work = flown.work + counted.qd[model_.nv];
-    state.flown.change = flown.change + simulation::mechanical_energy(model_, state) - before;
+    state.flown.change = flown.change + energy_of(state) - before;
     return arrived;
   }
 
  private:
+  [[nodiscard]] double energy_of(const simulation::State& state) const {
+    return has_contacts_ ? simulation::mechanical_energy(model_, state) : 0;
+  }
+
   [[nodiscard]] simulation::State without_work(const simulation::State& counted) const {
     return {counted.q.head(model_.nq), counted.qd.head(model_.nv)};
   }
@@ -119,6 +131,7 @@ class CountedFlight {
 
   const simulation::Model& model_;
   JointForces forces_;
+  bool has_contacts_;
   simulation::Coordinates coordinates_;
 };
 
@@ -180,8 +193,8 @@ class Run {
         settings_(settings),
         ground_(ground),
         surface_(surface),
-        counted_(model,
-                 joint_forces_of(model, settings.holds_weight, surface.has_value(), springs)),
+        counted_(model, joint_forces_of(model, settings.holds_weight, surface.has_value(), springs),
+                 ground.has_value()),
         qdd_(counted_.acceleration()),
         adaptive_{settings.tolerance, settings.tolerance, std::min(1e-3, settings.step)},
         state_(std::move(start)) {}

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/orientation.hpp"
 #include "interpreter/instances.hpp"
 
 namespace treeline::simulation {
@@ -32,10 +33,10 @@ Quaternion quaternion_of(const Vector3& turn) {
 
 /// The shorter rotation vector of a quaternion of unit length, the inverse of `quaternion_of`.
 Vector3 turn_of(const Quaternion& rotation) {
-  const double sine = rotation.head<3>().norm();
-  const double cosine = rotation(3);
-  const double half = std::atan2(cosine < 0 ? -sine : sine, std::abs(cosine));
-  return (sine > 1e-9 ? 2 * half / sine : std::copysign(2.0, cosine)) * rotation.head<3>();
+  const double q[4] = {rotation(0), rotation(1), rotation(2), rotation(3)};
+  double turn[3];
+  core::rotation_vector_from_quaternion(q, turn);
+  return {turn[0], turn[1], turn[2]};
 }
 
 /// Calls `on_run(q, v, count)` for coordinates that correspond one to one to velocities, and
